@@ -104,6 +104,18 @@ class Manners(unittest.TestCase):
         self.g31("run", "a.nc", "--json", "a.toml", "--nonsense")
         self.assertEqual((program.read_text(), sheet.read_text()), (RUNS, "[start]\nX = 0.0\n"))
 
+    def test_an_output_without_a_name_is_a_mistake(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        for option in ("--printer", "--json", "--jsonl", "--trace", "--readings"):
+            run = self.g31("run", "a.nc", option, "")
+            self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
+            self.assertIn(f"{option}: the name is empty: expected ", run.stderr)
+        for words in (("check", "a.nc", "--json", ""), ("study", "a.toml", "--csv", ""),
+                      ("evaluate", "circle", "a.csv", "--svg", "")):
+            run = self.g31(*words)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn("the name is empty: expected that of a file", run.stderr)
+
     def test_what_explain_cannot_write_is_told(self):
         with open("/dev/full", "w") as full:
             run = subprocess.run([G31, "explain", "ring"], stdout=full, stderr=subprocess.PIPE, text=True)

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/control_and_level_options.h"
+#include "tools/cli/output_places.h"
 
 namespace g31::cli {
 namespace {
@@ -57,7 +58,8 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
   add_choice(*check, "--format", options.format, kFormats,
              "text (default), json (the document), sarif (SARIF 2.1.0), github (annotations)");
   check->add_option("--json", options.json, "document g31.check/1; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   check
       ->add_option("--baseline", options.baseline,
                    "earlier document of this command: its findings (rule, file, text of the line) "

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "tools/cli/limit_options.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
 
 namespace g31::cli {
@@ -31,9 +32,10 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->type_name("FILE")
       ->required();
   command->add_option("--json", options.json, "the results as a document; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   command->add_flag("--curves", options.has_curves, "every curve into the document");
-  command->add_option("--svg", options.svg, "a drawing")->type_name("FILE");
+  command->add_option("--svg", options.svg, "a drawing")->type_name("FILE")->check(why_no_place);
   add_report_options(*command, options.report, options.language);
   give_drawing_language(*command);
   command

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/output_places.h"
+
 namespace g31::cli {
 
 CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
@@ -21,7 +23,8 @@ CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
       ->type_name("FILE")
       ->required();
   command->add_option("--json", options.json, "the judgement as a document; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   constexpr double kShortestWaitS = 0.1;
   constexpr double kLongestWaitS = 86'400.0;
   command

@@ -16,6 +16,16 @@ bool are_same(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::string why_no_place(const std::string& text) {
+  return text.empty() ? "the name is empty: expected that of a file" : "";
+}
+
+std::string why_no_printer(const std::string& text) {
+  return text.empty() ? "the name is empty: expected a file, - for standard output, or a serial "
+                        "line as /dev/ttyS0,4800,e,7,2"
+                      : "";
+}
+
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
                                             const std::vector<std::vector<std::string>>& inputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {

@@ -15,6 +15,12 @@ struct OutputPlace {
   std::string path;  ///< "-": standard output; "": nothing is wanted
 };
 
+/// Of a text that is to name a file for an output: what is wrong with it; empty: nothing.
+std::string why_no_place(const std::string& text);
+
+/// Of a text that is to say where printouts go: the same.
+std::string why_no_printer(const std::string& text);
+
 /// Why outputs may not be where they are wanted: a file that is to be read is there, or another
 /// output is to be.
 /// @param inputs  lists of files and folders that the command reads

@@ -9,6 +9,7 @@
 #include "interpreter/source/diagnostic.h"
 #include "tools/cli/control_and_level_options.h"
 #include "tools/cli/limit_options.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
 
 namespace g31::cli {
@@ -124,13 +125,15 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->type_name("NAMES")
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   add_page_options(*run, options);
   add_expect_option(*run, options);
   run->add_option("--printer", options.printer,
                   "where printouts go: a file, - for standard output (default), or a serial line "
                   "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
-      ->type_name("PRINTER");
+      ->type_name("PRINTER")
+      ->check(why_no_printer);
   run->add_option(
          "--printer-wait", options.printer_wait_s,
          "seconds for which a printer on a line may stop the program at a time (default 30)")
@@ -139,7 +142,8 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--jsonl", options.jsonl,
                   "every move, touch, stop, printout and message as it happens, one JSON object a "
                   "line; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   run->add_flag("--changes", options.changes,
                 "every variable, offset and tool datum that the run has changed");
   add_desk_options(*run, options);
@@ -158,14 +162,16 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
                      "the least message that makes a completed run exit with 1: error, warning "
                      "(default) or note");
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   run->add_option("--trace-period", options.trace_period,
                   "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
       ->type_name("TIME");
   run->add_option("--readings", options.readings,
                   "what the sensors of the sheet read at every stop (G04, M00, M01, STOPRE), as a "
                   "table (CSV)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   return run;
 }
 

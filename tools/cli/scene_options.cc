@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/output_places.h"
 #include "tools/cli/run_options.h"
 #include "tools/picture/still.h"
 
@@ -24,7 +25,8 @@ CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
   scene
       ->add_option("--json", options.run.json,
                    "how the run ended, as a document g31.scene/1; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   scene->add_option("--width", options.width, "of a picture, pixels")
       ->type_name("PX")
       ->check(CLI::Range(picture::kLeastStillPixels, picture::kMostStillPixels))

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/control_and_level_options.h"
+#include "tools/cli/output_places.h"
 
 namespace g31::cli {
 
@@ -23,7 +24,8 @@ CLI::App* add_setup_command(CLI::App& app, SetupOptions& options) {
       ->type_name("DIR")
       ->allow_extra_args(false);
   setup->add_option("--json", options.json, "document g31.setup/1; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   add_fail_on_option(
       *setup, options.fail_on,
       "lowest level at which a finding gives exit code 1: error, warning (default), note");

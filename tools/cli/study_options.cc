@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
 #include "tools/study/study_keys.h"
 
@@ -13,13 +14,16 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       "study", "Run a program many times, with varied set-ups, and report statistics.");
   study->add_option("STUDY", options.study, "the study file (TOML)")->type_name("FILE");
   study->add_option("--json", options.json, "the study as a document; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   study->add_option("--csv", options.csv, "one line for each run; - is standard output")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   study
       ->add_option("--svg", options.svg,
                    "the drawing of [evaluation]; of several runs FILE-1.svg, FILE-2.svg and so on")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_place);
   add_report_options(*study, options.report, options.language);
   give_drawing_language(*study);
   study
