@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -209,6 +210,25 @@ TEST(EvaluatePositioning, IsThatOfTheStandard) {
   EXPECT_NE(
       evaluate_text(text + "X,300,1,1,300\n", options).errors.find("was approached only once"),
       std::string::npos);
+}
+
+TEST(EvaluatePositioning, SaysWhyAResultHasNoValue) {
+  cli::EvaluateOptions options;
+  options.kind = "positioning";
+  const std::string up =
+      "axis,target,direction,cycle,position\nX,0,1,1,0.001\nX,0,1,2,0.002\nX,9,1,1,9\nX,9,1,2,9\n";
+  const auto notes = [&](const std::string& text) {
+    return evaluate_text(text, options).document.at("notes");
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(notes(up), Texts{"2 of 2 targets were not approached in the negative direction, first "
+                             "0 mm: A_down, R_down and E_down need every target from that side, A, "
+                             "R, B, E and M from both"});
+  EXPECT_EQ(
+      notes(up + "X,0,-1,1,0\nX,0,-1,2,0\n"),
+      Texts{"1 of 2 targets was not approached in the negative direction, first 9 mm: A_down, "
+            "R_down and E_down need every target from that side, A, R, B, E and M from both"});
+  EXPECT_EQ(notes(up + "X,0,-1,1,0\nX,0,-1,2,0\nX,9,-1,1,9\nX,9,-1,2,9\n"), Texts());
 }
 
 }  // namespace

@@ -71,6 +71,27 @@ Curve mean_deviations(const PositioningEvaluation& p) {
   return mean;
 }
 
+/// Why results have no value: targets that were not approached from one side.
+std::vector<std::string> notes_of(const PositioningEvaluation& p) {
+  std::vector<std::string> notes;
+  for (const bool is_up : {true, false}) {
+    const auto lacks = [is_up](const metrology::TargetStatistics& target) {
+      return !(is_up ? target.up : target.down);
+    };
+    const auto first = std::ranges::find_if(p.targets, lacks);
+    if (first == p.targets.end()) {
+      continue;
+    }
+    const auto count = std::ranges::count_if(p.targets, lacks);
+    notes.push_back(fmt::format(
+        "{1} of {2} targets {3} not approached in the {0} direction, first {4} mm: A_{5}, R_{5} "
+        "and E_{5} need every target from that side, A, R, B, E and M from both",
+        is_up ? "positive" : "negative", count, p.targets.size(), count == 1 ? "was" : "were",
+        first->target, is_up ? "up" : "down"));
+  }
+  return notes;
+}
+
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const Request& request) {
@@ -109,6 +130,7 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   evaluation.samples = approaches.size();
   evaluation.results = results_of(positioning.value());
   evaluation.curves = curves_of(positioning.value());
+  evaluation.notes = notes_of(positioning.value());
   evaluation.machine_error = {"E" + axis.value() + axis.value(),
                               mean_deviations(positioning.value())};
   if (request.wants_drawing) {
