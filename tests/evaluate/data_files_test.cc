@@ -56,6 +56,7 @@ TEST(DataFiles, OfInstrumentsAreRead) {
   const Case kCases[] = {
       {"plain", "t,X,Y\n" + commas, {}, ""},
       {"byte order mark, CR LF", "\xEF\xBB\xBFt,X,Y\r\n" + circle_rows(",", "\r\n"), {}, ""},
+      {"CR alone", "t,X,Y\r" + circle_rows(",", "\r"), {}, ""},
       {"comments, empty lines", "# scale 3\n\nt,X,Y\n# begin\n" + commas + "\n \n# end\n", {}, ""},
       {"other names", "zeit, x_act ,\"y act\"\n" + commas, {"t=zeit", "X=x_act", "Y=y act"}, ""},
       {"semicolons and decimal commas", "t;X;Y\r\n" + decimal_commas, {}, ""},
@@ -107,6 +108,13 @@ TEST(DataFiles, AreRefusedWithTheLine) {
       {"infinity", head + "0.2,1,-inf\n", "data.csv:4:7: error: Y is out of range: -inf"},
       {"too large", head + "0.2,1e300,2\n", "data.csv:4:5: error: X is out of range: 1e300"},
       {"beyond doubles", head + "0.2,1e999,2\n", "data.csv:4:5: error: X is out of range"},
+      {"beyond doubles below 0", head + "0.2,-1e999,2\n", "data.csv:4:5: error: X is out of range"},
+      {"CR alone", "t,X,Y\r0,1,2\r0.1,1,abc\r0.2,1,2\r",
+       "data.csv:3:7: error: Y is not a number: abc [DAT107]\n    3 | 0.1,1,abc\n      |       ^"},
+      {"UTF-16, low byte first", std::string("\xFF\xFEt\0,\0X\0", 8),
+       "data.csv: error: this is UTF-16 text, two bytes a character; save it as UTF-8 [DAT115]"},
+      {"UTF-16, high byte first", std::string("\xFE\xFF\0t\0,", 6), "[DAT115]"},
+      {"UTF-16 without a mark", std::string("t\0,\0X\0", 6), "[DAT115]"},
       {"a sentinel", head + "0.2,9999999999,2\n", "data.csv:4:5: error: X is out of range"},
       {"a short row", head + "0.2,1\n",
        "data.csv:4:6: error: a short row: it has 2 values for 3 columns [DAT105]"},
@@ -125,6 +133,14 @@ TEST(DataFiles, AreRefusedWithTheLine) {
     EXPECT_FALSE(document.contains("results"));
     EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
   }
+}
+
+TEST(DataFiles, NumbersThatAreTooSmallAre0) {
+  const evaluate::DataFile file{"data.csv", "X\n1e-400\n-1e-400\n0.0000001e-399\n4e-320\n",
+                                nullptr};
+  const auto table = evaluate::read_table(file, {{"X", ColumnKind::Length}}, {});
+  ASSERT_TRUE(table.ok()) << table.error().message;
+  EXPECT_EQ(table.value().numbers("X"), (std::vector<double>{0.0, 0.0, 0.0, 4e-320}));
 }
 
 TEST(DataFiles, ThatAreTooLargeAreNotRead) {

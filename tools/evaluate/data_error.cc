@@ -32,6 +32,10 @@ std::span<const DataErrorRow> data_error_rows() {
   return kDataErrorRows;
 }
 
+char line_end_of(std::string_view text) {
+  return text.find('\n') != std::string_view::npos ? '\n' : '\r';
+}
+
 DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
                      std::initializer_list<std::string_view> details, std::string remedy) {
   const DataErrorRow& row = kDataErrorRows.at(static_cast<std::size_t>(id));
@@ -45,11 +49,12 @@ DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
   error.code = row.code;
   error.remedy = std::move(remedy);
   if (place.line > 0) {
+    const char line_end = line_end_of(file.text);
     const std::size_t at = std::min(place.offset, file.text.size());
     const std::size_t break_before =
-        at == 0 ? std::string_view::npos : file.text.rfind('\n', at - 1);
+        at == 0 ? std::string_view::npos : file.text.rfind(line_end, at - 1);
     const std::size_t begin = break_before == std::string_view::npos ? 0 : break_before + 1;
-    const std::size_t end = std::min(file.text.find('\n', at), file.text.size());
+    const std::size_t end = std::min(file.text.find(line_end, at), file.text.size());
     error.line = static_cast<int>(place.line);
     const std::string in_front = source::printable(file.text.substr(begin, at - begin));
     error.column = 1 + static_cast<int>(source::character_count(in_front));
@@ -59,9 +64,10 @@ DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
 }
 
 DataPlace place_of_line(const DataFile& file, std::size_t line) {
+  const char line_end = line_end_of(file.text);
   std::size_t offset = 0;
   for (std::size_t i = 1; i < line; ++i) {
-    offset = file.text.find('\n', offset) + 1;
+    offset = file.text.find(line_end, offset) + 1;
   }
   return {line, offset};
 }

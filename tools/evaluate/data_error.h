@@ -48,6 +48,9 @@ struct DataPlace {
   std::size_t offset = 0;  ///< of a byte of that line, from the beginning of the text
 };
 
+/// What ends the lines of a text: a line feed, or a carriage return where there is none.
+char line_end_of(std::string_view text);
+
 /// An error of row `id`; `details` fill the {} of the row, one each.  What a file put into them is
 /// cut and made printable.
 DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,

@@ -1,7 +1,6 @@
 #include "tools/evaluate/data_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/nearest_name.h"
+#include "tools/evaluate/data_field.h"
 
 namespace g31::evaluate {
 namespace {
@@ -19,46 +19,11 @@ namespace {
 constexpr std::size_t kLookedAt = 1000;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Without blanks and quotes around it.
-std::string_view bare(std::string_view field) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const auto trim = [&] {
-    const std::size_t first = field.find_first_not_of(kBlanks);
-    field = first == std::string_view::npos
-                ? std::string_view()
-                : field.substr(first, field.find_last_not_of(kBlanks) - first + 1);
-  };
-  trim();
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-    field = field.substr(1, field.size() - 2);
-    trim();
-  }
-  return field;
-}
-
-std::optional<double> number_in(std::string_view field) {
-  if (!field.empty() && field.front() == '+' && field.size() > 1 && field[1] != '-') {
-    field.remove_prefix(1);
-  }
-  double number = 0.0;
-  const char* const end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(field.data(), end, number);
-  const bool whole = (error == std::errc{} || error == std::errc::result_out_of_range) &&
-                     stop == end && !field.empty();
-  if (!whole) {
-    return std::nullopt;
-  }
-  return error == std::errc{} ? number : HUGE_VAL;
-}
-
-std::optional<double> number_with_comma_in(std::string_view field) {
-  const std::size_t comma = field.find(',');
-  if (comma == std::string_view::npos || field.find('.') != std::string_view::npos) {
-    return number_in(field);
-  }
-  std::string with_point(field);
-  with_point[comma] = '.';
-  return number_in(with_point);
+/// UTF-16 begins with its byte order mark, or has every other byte 0.
+bool is_wide(std::string_view text) {
+  const std::string_view beginning = text.substr(0, 2);
+  return beginning == "\xFF\xFE" || beginning == "\xFE\xFF" ||
+         beginning.find('\0') != std::string_view::npos;
 }
 
 struct Separator {
@@ -98,7 +63,7 @@ class TableReader {
  public:
   TableReader(const DataFile& file, const std::vector<WantedColumn>& wanted,
               const ColumnRules& rules)
-      : file_(file), wanted_(wanted), rules_(rules) {
+      : file_(file), wanted_(wanted), rules_(rules), line_end_(line_end_of(file.text)) {
     if (file.text.starts_with(kByteOrderMark)) {
       offset_ = kByteOrderMark.size();
     }
@@ -110,6 +75,9 @@ class TableReader {
   }
 
   std::optional<DataError> read() {
+    if (is_wide(file_.text)) {
+      return data_error(DataErrorId::WideText, file_, {}, {});
+    }
     auto wrong = read_header();
     while (!wrong && next_line()) {
       if (file_.watch != nullptr) {
@@ -130,7 +98,7 @@ class TableReader {
   bool next_line() {
     while (offset_ < file_.text.size()) {
       begin_ = offset_;
-      const std::size_t end = std::min(file_.text.find('\n', offset_), file_.text.size());
+      const std::size_t end = std::min(file_.text.find(line_end_, offset_), file_.text.size());
       line_ = file_.text.substr(begin_, end - begin_);
       offset_ = end + 1;
       ++number_;
@@ -276,6 +244,7 @@ class TableReader {
   const DataFile& file_;
   const std::vector<WantedColumn>& wanted_;
   const ColumnRules& rules_;
+  char line_end_;
   DataTable table_;
   std::vector<int> wanted_at_;  // by column of the file: index of the wanted one, or -1
   char separator_ = ',';
