@@ -8,7 +8,6 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/nearest_name.h"
-#include "tools/setup/check_value.h"
 
 namespace g31::study {
 namespace {
@@ -23,6 +22,7 @@ using Names = std::vector<std::string_view>;
 setup::Limit limit_of(StudyLimit limit) {
   switch (limit) {
     case StudyLimit::Any:
+    case StudyLimit::Reading:
     case StudyLimit::Choice:
       return setup::Limit::Any;
     case StudyLimit::NotEmpty:
@@ -92,11 +92,8 @@ Checked value_from(const Node& node, const StudyKeyRow& row) {
       return values_from(node);
     case StudyType::Number:
     case StudyType::WholeNumber: {
-      const auto type =
-          row.type == StudyType::Number ? setup::ValueType::Number : setup::ValueType::WholeNumber;
-      const auto number = setup::checked_value(node, type, limit_of(row.limit), "");
-      return number ? Checked(StudyValue(std::get<double>(number.value())))
-                    : Checked(number.error());
+      const auto number = number_of(node, row);
+      return number ? Checked(StudyValue(number.value())) : Checked(number.error());
     }
   }
   contract_violated("every StudyType is read", __FILE__, __LINE__);
@@ -241,6 +238,17 @@ class StudyCheck {
 };
 
 }  // namespace
+
+Result<double, ValueProblem> number_of(const Node& node, const StudyKeyRow& row) {
+  const auto type =
+      row.type == StudyType::WholeNumber ? setup::ValueType::WholeNumber : setup::ValueType::Number;
+  const std::string_view unit = row.limit == StudyLimit::Reading ? "that of unit" : "";
+  const auto number = setup::checked_value(node, type, limit_of(row.limit), unit);
+  if (!number) {
+    return number.error();
+  }
+  return std::get<double>(number.value());
+}
 
 CheckedStudy check_study(const setup::Document& document, setup::ErrorList& errors) {
   return StudyCheck(document, errors).check();

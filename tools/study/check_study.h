@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "tools/setup/check_value.h"
 #include "tools/setup/document.h"
 #include "tools/setup/setup_error.h"
 #include "tools/study/study_keys.h"
@@ -52,6 +53,9 @@ struct CheckedStudy {
   std::vector<StudyTable> results;
   std::vector<StudyTable> variations;
 };
+
+/// A number of a key, or one of its numbers, within the limit of the row.
+Result<double, setup::ValueProblem> number_of(const setup::Node& node, const StudyKeyRow& row);
 
 /// Checks every key against study_keys.def.  What is wrong goes to `errors`.
 CheckedStudy check_study(const setup::Document& document, setup::ErrorList& errors);

@@ -142,15 +142,14 @@ class StudyFill {
       return numbers;
     }
     for (const setup::Node& node : std::get<std::vector<setup::Node>>(entry->value)) {
-      const auto number =
-          setup::checked_value(node, setup::ValueType::Number, setup::Limit::Any, "");
+      const auto number = number_of(node, row_of(key));
       if (!number) {
         const setup::ValueProblem& problem = number.error();
         errors_.add(problem.id, at(table, node),
                     {std::string(row_of(key).name), problem.is, problem.should_be});
         return numbers;
       }
-      numbers.push_back(std::get<double>(number.value()));
+      numbers.push_back(number.value());
     }
     return numbers;
   }

@@ -26,7 +26,15 @@ enum class StudyKey {
 
 enum class StudySectionForm { One, Named, List };
 enum class StudyType { Text, Texts, Values, Number, WholeNumber };
-enum class StudyLimit { Any, NotEmpty, Positive, Resolution, NotNegative, Choice };
+enum class StudyLimit {
+  Any,
+  Reading,  ///< as numbers of the sheet whose unit another key says
+  NotEmpty,
+  Positive,
+  Resolution,
+  NotNegative,
+  Choice
+};
 
 struct StudySectionRow {
   StudySection id;
