@@ -9,6 +9,7 @@
 #include "probe/metrology/circle_ranges.h"
 #include "probe/metrology/circle_search.h"
 #include "probe/metrology/circle_uncertainty.h"
+#include "probe/metrology/least_squares_circle.h"
 #include "probe/metrology/minimum_zone_circle.h"
 
 namespace g31::metrology {
@@ -128,8 +129,10 @@ Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& sample
   }
   add_systematic({samples, evaluation.turns, windows, task}, evaluation.fit);
   evaluation.spike = reversal_spikes(samples, evaluation.turns, evaluation.fit, windows);
-  evaluation.reference.centre = request.centre.value_or(evaluation.fit.errors.centre);
-  evaluation.reference.radius = request.radius.value_or(evaluation.fit.errors.radius);
+  const Circle least = least_squares_circle(
+      samples, evaluation.turns, {evaluation.fit.errors.centre, evaluation.fit.errors.radius});
+  evaluation.reference.centre = request.centre.value_or(least.centre);
+  evaluation.reference.radius = request.radius.value_or(least.radius);
   evaluation.directions = compare_directions(samples, evaluation.turns, evaluation.reference);
   RadialErrors errors(evaluation);
   for (const CircleTurn& turn : evaluation.turns) {

@@ -31,7 +31,8 @@ struct Extremes {
 
 /// What a recorded circle says.  Index 0 is the first axis of the plane, 1 the second.
 struct CircleEvaluation {
-  Circle reference;  ///< radial errors are about it: as requested, else as fitted
+  /// Radial errors are about it: as requested, else of least squares over all turns.
+  Circle reference;
   CircleFit fit;
   std::vector<CircleTurn> turns;
   Extremes radial_error;           ///< mm, over all turns
@@ -50,12 +51,12 @@ struct CircleEvaluation {
 /// Evaluates a recorded circle.
 ///
 /// Radial error: distance from the centre less the radius, of every sample on the circle
-/// (`circle_turns`).  Fitted are the samples that the model describes: not those within
-/// 0.3 s of the start of a turn and 0.1 s of its end (servo loops settle; 10 to 60 degrees), nor
-/// those from 2 degrees before a reversal of an axis to 10 degrees behind it and further while the
-/// residuals are significant there (play is taken up, friction turns round), at most 40.  What form
-/// and friction make uncertain: `add_systematic`.  The spike of an axis is the largest residual
-/// outwards in those ranges.
+/// (`circle_turns`).  What makes the path so, `fit`, is fitted to the samples that the model
+/// describes: not those within 0.3 s of the start of a turn and 0.1 s of its end (servo loops
+/// settle; 10 to 60 degrees), nor those from 2 degrees before a reversal of an axis to 10 degrees
+/// behind it and further while the residuals are significant there (play is taken up, friction
+/// turns round), at most 40.  What form and friction make uncertain: `add_systematic`.  The spike
+/// of an axis is the largest residual outwards in those ranges.
 ///
 /// Error: what is wrong with the record as a circle, one line.
 Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& samples,

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Cholesky>
-
 #include "machine/base/random.h"
+#include "probe/metrology/least_squares_circle.h"
 
 namespace g31::metrology {
 namespace {
@@ -65,25 +64,15 @@ std::size_t count_on(const Circle& circle, const Points& points) {
       std::ranges::count_if(points, [&](const Eigen::Vector2d& p) { return is_on(circle, p); }));
 }
 
-/// One Gauss-Newton step of the distances of the points on the circle.
+/// A step towards the points on the circle.
 Circle refined(const Circle& circle, const Points& points) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  CircleStep step(circle);
   for (const Eigen::Vector2d& p : points) {
-    const Eigen::Vector2d q = p - circle.centre;
-    const double r = q.norm();
-    if (r == 0.0 || !is_on(circle, p)) {
-      continue;
+    if (is_on(circle, p)) {
+      step.add(p);
     }
-    const Eigen::Vector3d row(q.x() / r, q.y() / r, 1.0);
-    normal += row * row.transpose();
-    right += row * (r - circle.radius);
   }
-  const Eigen::Vector3d step = normal.ldlt().solve(right);
-  if (!step.allFinite()) {
-    return circle;
-  }
-  return {circle.centre + step.head<2>(), circle.radius + step[2]};
+  return step.taken();
 }
 
 }  // namespace

@@ -139,9 +139,8 @@ std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, con
   constexpr double kMuchMore = 1.1;
   if (circle.minimum_zone && circle.radial_error.width() > kMuchMore * *circle.minimum_zone) {
     notes.emplace_back(
-        "circular_error counts from the centre given or fitted without the reversals; about the "
-        "best "
-        "centre it is minimum_zone");
+        "circular_error counts from the centre given or of least squares; about the best centre it "
+        "is minimum_zone");
   }
   notes.emplace_back(request.radius
                          ? "scale includes what the feed takes from the radius"
