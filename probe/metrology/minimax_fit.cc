@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kMostExchanges = 20'000;
 constexpr int kStalled = 30;
+/// Rounding alone goes on where even Bland's rule does not get further.
+constexpr int kMostStalled = 1'000;
 
 /// A point that touches the zone from above (+1) or below (-1).
 struct Touch {
@@ -40,7 +42,7 @@ class Exchange {
   MinimaxFit run() {
     int stalled = 0;
     double best = -1.0;
-    for (int i = 0; i < kMostExchanges; ++i) {
+    for (int i = 0; i < kMostExchanges && stalled < kMostStalled; ++i) {
       solve();
       stalled = half_width_ > best + tolerance_ ? 0 : stalled + 1;
       best = std::max(best, half_width_);

@@ -131,6 +131,27 @@ TEST(Flatness, IsThatOfBruteForce) {
   }
 }
 
+/// Few points anywhere, which are no face: the smallest of several zones.
+TEST(Flatness, OfWhatIsNoFaceIsThatOfBruteForce) {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Eigen::MatrixX3d p(static_cast<Eigen::Index>(4 + seed % 9), 3);
+    const double height = std::pow(10.0, between(-1.5, 0.0, seed, 0)) * 100.0;
+    for (Eigen::Index i = 0; i < p.rows(); ++i) {
+      const auto which = static_cast<std::uint64_t>(3 * i);
+      p.row(i) << between(-100, 100, seed, which + 1), between(-100, 100, seed, which + 2),
+          between(-height, height, seed, which + 3);
+    }
+    const auto found = metrology::flatness_of(p);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(found->zones.minimum_zone, smallest_slab(p), 1e-9) << seed;
+    // Of least squares: square to the plane of the smallest variance.
+    const Eigen::MatrixX3d off = p.rowwise() - p.colwise().mean();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(off.transpose() * off);
+    const Eigen::VectorXd heights = off * spread.eigenvectors().col(0);
+    EXPECT_NEAR(found->zones.least_squares, heights.maxCoeff() - heights.minCoeff(), 1e-9) << seed;
+  }
+}
+
 /// Some turn: of a wall, of a sloping face, of one upside down.
 Eigen::Quaterniond turn_of(std::uint64_t which) {
   if (which == 0) {
@@ -248,6 +269,67 @@ TEST(Cylindricity, KnowsNothingOfWhereTheAxisIs) {
       turned({0.05, 0.02, 3.0}, {0.001, 0.002, 1.0}, 10.0,
              [](double angle, double) { return 0.003 * std::cos(3.0 * angle); }));
   EXPECT_NEAR(lobes->zones.minimum_zone, 0.006, 1e-9);
+}
+
+/// How far apart the nearest and the farthest of the points are from the line through (x, y) at
+/// z = 0 with the slopes of its direction.
+double zone_about(const Eigen::MatrixX3d& points, const Eigen::Vector4d& line) {
+  const Point along = Point(line[2], line[3], 1.0).normalized();
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Point q = points.row(i).transpose() - Point(line[0], line[1], 0.0);
+    const double r = q.cross(along).norm();
+    low = std::min(low, r);
+    high = std::max(high, r);
+  }
+  return high - low;
+}
+
+/// Steps in random directions from random places, shorter where none helps.
+double searched_zone(const Eigen::MatrixX3d& points, double form, double length,
+                     std::uint64_t seed) {
+  double least = HUGE_VAL;
+  std::uint64_t which = 0;
+  const auto any = [&](double size) { return between(-size, size, 1000 + seed, ++which); };
+  for (int start = 0; start < 40; ++start) {
+    Eigen::Vector4d line(any(form), any(form), any(form) / length, any(form) / length);
+    double here = zone_about(points, line);
+    for (double size = form; size > 1e-7 * form;) {
+      bool is_better = false;
+      for (int i = 0; i < 40 && !is_better; ++i) {
+        const Eigen::Vector4d next =
+            line + Eigen::Vector4d(any(size), any(size), any(size) / length, any(size) / length);
+        const double there = zone_about(points, next);
+        is_better = there < here;
+        if (is_better) {
+          line = next;
+          here = there;
+        }
+      }
+      size *= is_better ? 1.5 : 0.5;
+    }
+    least = std::min(least, here);
+  }
+  return least;
+}
+
+TEST(Cylindricity, OfCoarseFormIsTheSmallestZone) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto levels = static_cast<int>(2 + seed % 3);
+    const int angles = seed % 2 == 0 ? 4 : 7;
+    const double form = 10.0 * std::pow(10.0, between(-2.0, -0.3, seed, 0));
+    Eigen::MatrixX3d points(levels * angles, 3);
+    for (int i = 0; i < points.rows(); ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i % angles) / angles;
+      const double r = 10.0 + between(-form, form, seed, static_cast<std::uint64_t>(i) + 1);
+      points.row(i) << r * std::cos(angle), r * std::sin(angle), 20.0 * (i / angles) - 20.0;
+    }
+    const auto found = metrology::cylindricity_of(points);
+    ASSERT_TRUE(found.has_value());
+    const double searched = searched_zone(points, form, 20.0, seed);
+    EXPECT_LE(found->zones.minimum_zone, searched + 1e-9) << seed;
+  }
 }
 
 TEST(Cylindricity, HasASmallerZoneThanLeastSquares) {
