@@ -197,7 +197,9 @@ ExitCode plan_command(const PlanOptions& options) {
   if (const auto wrong = write_out("-", plan::plan_summary(planned.value(), options.folder))) {
     return refuse(*wrong);
   }
-  return planned.value().leaves_something_out() ? ExitCode::Findings : ExitCode::Completed;
+  const bool is_whole = !planned.value().leaves_something_out() && planned.value().is_proven() &&
+                        planned.value().measures_as_machined();
+  return is_whole ? ExitCode::Completed : ExitCode::Findings;
 }
 
 }  // namespace g31::cli

@@ -158,8 +158,15 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
       said(language, Word::SaysPlan, fmt::arg("features", planned.part.features.size()),
            fmt::arg("measures", planned.plan.measures.size()),
            fmt::arg("touches", planned.plan.points.size()));
-  report.verdict.sentence = said(language, Word::SaysProof,
-                                 fmt::arg("deviation", micrometres(planned.largest_deviation_mm)));
+  report.verdict.sentence =
+      said(language, planned.is_proven() ? Word::SaysProof : Word::SaysNoProof,
+           fmt::arg("bad", count(planned.on_product, plan::Verdict::Bad)),
+           fmt::arg("all", planned.on_product.measures.size()),
+           fmt::arg("deviation", micrometres(planned.largest_deviation_mm)));
+  if (!planned.is_proven()) {
+    report.verdict.sign = Sign::Bad;
+    report.verdict.state = text_of(Word::StateOut, language);
+  }
   if (planned.as_machined) {
     const std::size_t all = planned.as_machined->measures.size();
     const std::size_t good = count(*planned.as_machined, plan::Verdict::Good);

@@ -46,7 +46,7 @@ std::string judgement_document(const Judgement& judgement) {
   return Json{{"schema", "g31.judgement/1"}, {"measures", rows}}.dump(kIndent) + "\n";
 }
 
-std::string judgement_table(const Judgement& judgement) {
+std::string measures_table(const Judgement& judgement) {
   constexpr std::string_view kHead = "measure";
   std::size_t width = kHead.size();
   for (const JudgedMeasure& row : judgement.measures) {
@@ -60,9 +60,14 @@ std::string judgement_table(const Judgement& judgement) {
                         shown_or_dash(row.deviation, true), shown(row.measure.tolerance),
                         word_of(row.verdict));
   }
-  return text + fmt::format("{} of {} good, {} bad, {} missing\n", count(judgement, Verdict::Good),
-                            judgement.measures.size(), count(judgement, Verdict::Bad),
-                            count(judgement, Verdict::Missing));
+  return text;
+}
+
+std::string judgement_table(const Judgement& judgement) {
+  return measures_table(judgement) +
+         fmt::format("{} of {} good, {} bad, {} missing\n", count(judgement, Verdict::Good),
+                     judgement.measures.size(), count(judgement, Verdict::Bad),
+                     count(judgement, Verdict::Missing));
 }
 
 }  // namespace g31::plan

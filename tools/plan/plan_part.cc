@@ -239,6 +239,7 @@ class PartPlanner {
       planned_.largest_deviation_mm =
           std::max(planned_.largest_deviation_mm, std::abs(*value - row.measure.nominal));
     }
+    planned_.on_product = printed;
     return std::nullopt;
   }
 
@@ -257,6 +258,9 @@ class PartPlanner {
                       errors.empty() ? proof.error().message : errors.front().message));
     }
     planned_.as_machined = judged(measures_of(planned_), proof.value().printed);
+    if (!planned_.measures_as_machined()) {
+      planned_.notes += proof.value().messages;
+    }
     return std::nullopt;
   }
 

@@ -1,6 +1,7 @@
 #include "tools/plan/plan_summary.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -62,20 +63,36 @@ std::string features_text(const PlannedPart& planned) {
   return text;
 }
 
+/// What the run on the product says of the program.
+std::string proof_text(const PlannedPart& planned) {
+  constexpr double kUmPerMm = 1e3;
+  const std::string run = fmt::format(
+      "{} touches in {:.0f} s of machine time, nothing else was touched; largest deviation {:.4f} "
+      "um\n",
+      planned.touches, planned.machine_time_s, planned.largest_deviation_mm * kUmPerMm);
+  if (planned.is_proven()) {
+    return fmt::format("proven on {}: {}", planned.product, run);
+  }
+  Judgement bad;
+  std::ranges::copy_if(planned.on_product.measures, std::back_inserter(bad.measures),
+                       [](const JudgedMeasure& row) { return row.verdict == Verdict::Bad; });
+  return fmt::format(
+      "not proven on {}: {}{} of {} measures of the part as drawn come out of tolerance with the "
+      "machine and the probe of the sheet:\n{}expected: a probe whose calibration the program "
+      "knows, a machine that is compensated, or a wider tolerance\n",
+      planned.product, run, bad.measures.size(), planned.on_product.measures.size(),
+      measures_table(bad));
+}
+
 }  // namespace
 
 std::string plan_summary(const PlannedPart& planned, const std::string& folder) {
-  constexpr double kUmPerMm = 1e3;
   std::string text = features_text(planned);
   if (planned.plan.measures.empty()) {
     text += planned.leaves_something_out() ? "nothing is measured\n"
                                            : "nothing was cut from the stock\n";
   }
-  text += fmt::format(
-      "proven on {}: {} touches in {:.0f} s of machine time, nothing else was touched; largest "
-      "deviation {:.4f} um\n",
-      planned.product, planned.touches, planned.machine_time_s,
-      planned.largest_deviation_mm * kUmPerMm);
+  text += proof_text(planned);
   if (planned.as_machined) {
     text += "as machined:\n" + judgement_table(*planned.as_machined);
   }

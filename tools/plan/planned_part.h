@@ -32,11 +32,18 @@ struct PlannedPart {
   std::string notes;                  ///< of that run, as people read them; mostly ""
   double largest_deviation_mm = 0.0;  ///< of a measure in that run
   std::vector<std::optional<double>> proven_values;  ///< of the measures in that run
+  Judgement on_product;                              ///< what that run printed
   std::optional<Judgement> as_machined;
 
   /// Whether a volume is of no kind, or a size is left out.
   [[nodiscard]] bool leaves_something_out() const {
     return !part.unknown.empty() || !plan.left_out.empty();
+  }
+  /// Whether the program calls a part good that is as drawn.
+  [[nodiscard]] bool is_proven() const { return count(on_product, Verdict::Bad) == 0; }
+  /// Whether the program came to every measure of the part as machined, where there is one.
+  [[nodiscard]] bool measures_as_machined() const {
+    return !as_machined || count(*as_machined, Verdict::Missing) == 0;
   }
 };
 
