@@ -12,7 +12,9 @@
 
 #include "tests/support/run_arguments.h"
 #include "tests/support/run_program.h"
+#include "tools/cli/run_command.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/part_file.h"
 
 namespace g31::hostile_files_test {
 namespace {
@@ -145,6 +147,7 @@ TEST(WriteWholeFile, RemovesWhatKilledRunsLeftOfTheSameFile) {
   TemporaryFolder folder;
   // No process has a number beyond 2^22.
   folder.write("file.99999999.part", "half");
+  folder.write("file.old.99999999.part", "of an earlier run, set aside");
   folder.write("other.99999999.part", "half of another one");
   folder.write("file.1.part", "of a process that is there");
   folder.write("file.draft.part", "of a person");
@@ -162,6 +165,35 @@ TEST(WriteWholeFile, KeepsTheModeOfAFileThatItReplaces) {
   EXPECT_EQ(disk::write_whole_file(file, "after"), std::nullopt);
   EXPECT_EQ(fs::status(file).permissions(),
             fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+}
+
+// The document of an earlier run is away while the next one runs: one that is killed leaves none.
+TEST(WriteWholeFile, KeepsTheModeOfADocumentThatANewRunReplaces) {
+  TemporaryFolder folder;
+  const std::string program = folder.write("case.nc", "G04 P1\nM30\n");
+  const auto mode = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+  for (const bool is_refused : {false, true}) {
+    cli::RunOptions options;
+    options.programs = {is_refused ? folder.path("none.nc") : program};
+    options.json = folder.write("run.json", "{\"schema\": \"g31.run/1\"}\n");
+    options.report = folder.write("run.html", "");
+    for (const std::string& file : {options.json, options.report}) {
+      fs::permissions(file, mode);
+    }
+    cli::run_command(options);
+    EXPECT_NE(disk::Disk().read(options.json)->find("status"), std::string::npos);
+    for (const std::string& file : {options.json, options.report}) {
+      EXPECT_EQ(fs::status(file).permissions(), mode) << file;
+    }
+    EXPECT_EQ(folder.names().size(), 3U);
+  }
+  const std::string file = folder.write("file", "before");
+  fs::permissions(file, mode);
+  EXPECT_TRUE(disk::set_aside(file));
+  EXPECT_FALSE(fs::exists(file));
+  EXPECT_EQ(disk::write_whole_file(file, "after"), std::nullopt);
+  EXPECT_EQ(fs::status(file).permissions(), mode);
+  EXPECT_EQ(folder.names().size(), 4U);
 }
 
 TEST(WriteWholeFile, AMinusIsStandardOutput) {

@@ -17,6 +17,7 @@
 #include "tools/cli/run_page.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/part_file.h"
 #include "tools/disk/waiting.h"
 #include "tools/report/event_log.h"
 #include "tools/report/run_document.h"
@@ -127,12 +128,12 @@ std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
 }
 
 /// Takes document and report of an earlier run away.
-void remove_old_results(const RunOptions& options) {
+void set_old_results_aside(const RunOptions& options) {
   for (const std::string& path : {options.json, options.report}) {
     std::error_code error;
     if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error)) &&
         may_be_replaced(path)) {
-      std::filesystem::remove(path, error);
+      disk::set_aside(path);
     }
   }
 }
@@ -153,7 +154,7 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
   if (const auto wrong = wrong_place_of(options)) {
     return refuse(*wrong);
   }
-  remove_old_results(options);
+  set_old_results_aside(options);
   const disk::WaitingLimit limit(options.budget.wall_seconds);
   try {
     const auto done = work();

@@ -1,10 +1,12 @@
 #include "tools/disk/part_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include <fcntl.h>
@@ -49,6 +51,15 @@ bool is_standard_output(const struct stat& is) {
          output.st_ino == is.st_ino;
 }
 
+std::string temporary_name(const std::string& target) {
+  return fmt::format("{}.{}{}", target, ::getpid(), kSuffix);
+}
+
+/// What of a file is set aside is named like a temporary file of this one.
+std::string aside(const std::string& target) {
+  return target + ".old";
+}
+
 /// The process in the name of a temporary file of `target`; 0: it is none of those.
 int process_in(const std::string& name, const std::string& target) {
   int process = 0;
@@ -66,12 +77,23 @@ void remove_left_overs(const fs::path& target) {
   std::error_code error;
   const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    const int process = process_in(it->path().filename().string(), target.filename().string());
+    const std::string name = it->path().filename().string();
+    const std::string of = target.filename().string();
+    const int process = std::max(process_in(name, of), process_in(name, aside(of)));
     if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
       std::error_code ignored;
       fs::remove(it->path(), ignored);
     }
   }
+}
+
+/// What a file is to replace, be it there or set aside.
+std::optional<struct stat> replaced_by(const std::string& target) {
+  struct stat is = {};
+  const std::string old = temporary_name(aside(target));
+  const bool is_there =
+      ::stat(target.c_str(), &is) == 0 || (::lstat(old.c_str(), &is) == 0 && S_ISREG(is.st_mode));
+  return is_there ? std::optional(is) : std::nullopt;
 }
 
 /// A file that nobody had; nullptr: errno says why there is none.
@@ -128,6 +150,10 @@ void keep_folder(const std::string& path) {
 
 }  // namespace
 
+bool set_aside(const std::string& path) {
+  return std::rename(path.c_str(), temporary_name(aside(path)).c_str()) == 0;
+}
+
 Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::string& path) {
   const auto made = [](std::FILE* file, const std::string& name, const std::string& temporary) {
     return std::shared_ptr<PartFile>(new PartFile(file, name, temporary));
@@ -151,13 +177,14 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   }
   remove_left_overs(target.value());
   const std::string name = target.value().string();
-  const std::string temporary = fmt::format("{}.{}{}", name, ::getpid(), kSuffix);
+  const std::string temporary = temporary_name(name);
+  const auto replaced = replaced_by(name);
   std::FILE* const file = new_file(temporary);
   if (file == nullptr) {
     return last_error();
   }
-  if (is_there) {
-    take_after(file, is);
+  if (replaced) {
+    take_after(file, *replaced);
   }
   return made(file, name, temporary);
 }
@@ -196,6 +223,7 @@ void PartFile::give_name() {
     error_ = errno;
   }
   if (error_ == 0) {
+    (void)::unlink(temporary_name(aside(path_)).c_str());
     keep_folder(path_);
   } else {
     std::remove(temporary_.c_str());
