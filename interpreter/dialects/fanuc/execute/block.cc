@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -201,11 +202,17 @@ Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
   return at_place(id, word.span, std::move(detail));
 }
 
+Failure at_word(WrongValue wrong, const EvaluatedWord& word) {
+  return at_word(wrong.id, word, std::move(wrong.detail));
+}
+
+MaybeFailure at_word(MaybeWrong wrong, const EvaluatedWord& word) {
+  return wrong ? MaybeFailure(at_word(*std::move(wrong), word)) : std::nullopt;
+}
+
 Result<int, Failure> integer_of(const EvaluatedWord& word) {
-  if (word.form == syntax::ValueForm::Decimal) {
-    return at_word(AlarmId::IllegalPoint, word, fmt::format("{} takes an integer", word.letter));
-  }
-  return nearest_integer(word.number);
+  return is_integer(word) ? Result<int, Failure>(nearest_integer(word.number))
+                          : at_word(point_in(word), word);
 }
 
 Failure from_fault(const machine::MachineFault& fault) {

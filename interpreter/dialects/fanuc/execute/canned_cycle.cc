@@ -7,7 +7,6 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kMostRepeats = 9999;
 constexpr double kMostPecks = 1e5;  // more is a slip of the keyboard
 
 /// The plane that a cycle positions in; its third axis drills.
@@ -211,10 +210,10 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
     if (!milliseconds) {
       return milliseconds.error();
     }
-    if (milliseconds.value() < 0) {
-      return at_word(AlarmId::IllegalMinus, *p, "a dwell cannot be negative");
-    }
     data.dwell_s = milliseconds.value() / 1000.0;
+    if (auto failure = at_word(wrong_dwell(data.dwell_s), *p)) {
+      return failure;
+    }
   }
   return std::nullopt;
 }
@@ -226,11 +225,7 @@ Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
   if (word == nullptr) {
     return 1;
   }
-  const auto number = integer_of(*word);
-  if (number && (number.value() < 0 || number.value() > kMostRepeats)) {
-    return at_word(AlarmId::IllegalAddress, *word, fmt::format("{} is 0 to 9999", letter));
-  }
-  return number;
+  return integer_within(*word, [letter](int times) { return wrong_holes(times, letter); });
 }
 
 /// Rapid to the place of the next hole; the drilling axis waits, and a changed tool offset with it.

@@ -29,12 +29,6 @@ void end_mode(Control& control, GAction action, Codes& codes) {
   }
 }
 
-bool is_frame(GAction action) {
-  return action == GAction::Mirror || action == GAction::MirrorOff || action == GAction::Scaling ||
-         action == GAction::Rotation || action == GAction::TiltedPlane ||
-         action == GAction::StrokeCheck;
-}
-
 /// What the rest of the block is to know of a modal code.
 void note_modal_code(const Control& control, const GCode& code, Codes& codes) {
   if (is_frame(code.action)) {
@@ -118,8 +112,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   }
   const GCode* const code = find_g_code(word.number);
   if (code == nullptr || !has_g_code(control.profile, *code)) {
-    return at_word(AlarmId::ImproperGCode, word,
-                   fmt::format("the control has no G{}", word.number));
+    return at_word(unknown_code(word.number), word);
   }
   if (code->action == GAction::Refused) {
     return at_word(AlarmId::ImproperGCode, word,
@@ -143,7 +136,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
     control.stops_exactly = true;
   } else if (code->action == GAction::ContourControl) {
     codes.contour_switch = code;
-  } else if (code->action != GAction::NoEffect) {
+  } else if (!leaves_words(code->action)) {
     codes.one_shot = code;
   }
   return std::nullopt;
@@ -177,11 +170,11 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
 
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
 MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
+  if (!fits_plain_word(word)) [[unlikely]] {
+    return at_word(wrong_plain_word(word), word);
+  }
   switch (word.letter) {
     case 'F':
-      if (word.number < 0.0) {
-        return at_word(AlarmId::IllegalMinus, word, "a feed cannot be negative");
-      }
       control.modal.feed = feed_of(control, word);
       return std::nullopt;
     case 'M':
@@ -189,15 +182,9 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
     case 'T':
     case 'D':
     case 'H': {
-      const auto number = integer_of(word);
-      if (!number) {
-        return number.error();
-      }
-      if (number.value() < 0 && word.letter != 'D' && word.letter != 'H') {
-        return at_word(AlarmId::IllegalMinus, word, fmt::format("{} counts from 0", word.letter));
-      }
-      control.modal.word(word.letter) = number.value();
-      return refuse_long(control, word, number.value());
+      const int number = nearest_integer(word.number);
+      control.modal.word(word.letter) = number;
+      return refuse_long(control, word, number);
     }
     default:
       return std::nullopt;

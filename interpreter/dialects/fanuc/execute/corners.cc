@@ -4,6 +4,7 @@
 // corner rounding and chamfering: a G04 may stand between the two blocks.
 
 #include <algorithm>
+#include <utility>
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/compensation.h"
@@ -41,10 +42,10 @@ Result<CornerWish, Failure> wish_of(const Control& control, const NcBlock& block
       continue;
     }
     if (asked != nullptr && !control.profile.last_corner_word_counts) {
-      return at_word(AlarmId::TwoCornerWords, word, "one of ,C and ,R in a block");
+      return at_word(second_corner(), word);
     }
-    if (word.number < 0.0) {
-      return at_word(AlarmId::IllegalMinus, word, "the size of a corner cannot be negative");
+    if (auto wrong = wrong_corner(word.number)) {
+      return at_word(*std::move(wrong), word);
     }
     asked = &word;
     wish.size_mm = corner_size_mm(control, word);

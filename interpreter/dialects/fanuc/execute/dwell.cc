@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
@@ -16,8 +18,7 @@ bool counts_turns(const Control& control) {
 MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
   double seconds = 0.0;
   if (const EvaluatedWord* const p = block.words.find('P')) {
-    const bool has_point = p->form != syntax::ValueForm::Integer;
-    if (has_point && control.profile.dwell_point_is_seconds) {
+    if (is_dwell_in_seconds(*p, control.profile)) {
       seconds = p->number;
     } else {
       const auto milliseconds = integer_of(*p);
@@ -32,8 +33,8 @@ MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
       seconds = control.scale.seconds(*word);
     }
   }
-  if (seconds < 0.0) {
-    return block_failure(AlarmId::IllegalMinus, "a dwell cannot be negative");
+  if (auto wrong = wrong_dwell(seconds)) {
+    return block_failure(wrong->id, std::move(wrong->detail));
   }
   if (counts_turns(control)) {
     const double turns_per_minute = control.modal.word('S');

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interpreter/dialects/fanuc/code/word_limits.h"
 #include "interpreter/dialects/fanuc/state/control.h"
 #include "interpreter/dialects/fanuc/state/failure.h"
 #include "interpreter/dialects/fanuc/text/word_values.h"
@@ -128,9 +129,19 @@ Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail);
 
 /// A failure at a word.
 Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
+Failure at_word(WrongValue wrong, const EvaluatedWord& word);
+/// The same of what may be right.
+MaybeFailure at_word(MaybeWrong wrong, const EvaluatedWord& word);
 
 /// A word whose value is an integer (M S T D H N O L P): a literal must have no point, a computed
 /// one is rounded (MB-025, MB-026).
 Result<int, Failure> integer_of(const EvaluatedWord& word);
+/// The same, where `limit` lets it stand: a function of word_limits.h.
+template <typename Limit>
+Result<int, Failure> integer_within(const EvaluatedWord& word, Limit limit) {
+  const auto number = integer_of(word);
+  auto wrong = number ? limit(number.value()) : std::nullopt;
+  return wrong ? at_word(*std::move(wrong), word) : number;
+}
 
 }  // namespace g31::fanuc

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,14 +20,10 @@ Failure missing(source::DiagnosticId row, std::string what) {
 }
 
 /// P of G54.2 and G54.4; 0 ends them.
-Result<int, Failure> number_of_error(const NcBlock& block, int largest) {
+Result<int, Failure> number_of_error(const NcBlock& block) {
   const EvaluatedWord* const p = block.words.find('P');
-  const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(1);
-  if (number && (number.value() < 0 || number.value() > largest)) {
-    return at_word(AlarmId::IllegalOffsetNumber, *p,
-                   fmt::format("{} has P0 to P{}", to_text(block.code->number), largest));
-  }
-  return number;
+  const auto limit = [&](int number) { return wrong_part_error(number, block.code->number); };
+  return p != nullptr ? integer_within(*p, limit) : Result<int, Failure>(1);
 }
 
 }  // namespace
@@ -34,22 +31,18 @@ Result<int, Failure> number_of_error(const NcBlock& block, int largest) {
 /// G54 to G59, G54.1 Pn, G54 Pn (MB-292, MB-293); G110 to G129 and G154 Pn of a Haas.
 MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumber code) {
   constexpr int kFirstAdditional = 110;  // G110 is G154 P1
-  constexpr int kAdditional = 154;
+  constexpr int kLastAdditional = 129;
   int which = code.whole - 53;
   control.modal.additional_system = 0;
   const EvaluatedWord* const p = words.find('P');
-  const bool is_numbered = code.whole >= kFirstAdditional && code.whole < kAdditional;
-  if (is_numbered || code.whole == kAdditional || code == GNumber{54, 1} ||
-      (code.whole == 54 && p != nullptr)) {
+  const bool is_numbered = code.whole >= kFirstAdditional && code.whole <= kLastAdditional;
+  if (is_numbered || selects_by_number(code, p != nullptr)) {
+    const auto limit = [code](int p_number) { return wrong_work_system(p_number, code); };
     const auto number = is_numbered    ? Result<int, Failure>(code.whole - kFirstAdditional + 1)
-                        : p != nullptr ? integer_of(*p)
+                        : p != nullptr ? integer_within(*p, limit)
                                        : Result<int, Failure>(1);
     if (!number) {
       return number.error();
-    }
-    if (number.value() < 1 || number.value() > Coordinates::kAdditional) {
-      return at_word(AlarmId::IllegalOffsetNumber, *p,
-                     fmt::format("{} has P1 to P{}", to_text(code), Coordinates::kAdditional));
     }
     which = Coordinates::kSystems + number.value();
     control.modal.additional_system = number.value();
@@ -71,15 +64,11 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
 MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
   const int code = control.modal.group[Group::ToolLength].whole;
   if (const EvaluatedWord* const h = words.find('H')) {
-    const auto number = integer_of(*h);
+    const auto number = integer_within(*h, [&control](int given) {
+      return wrong_length_offset(given, control.modal.group[Group::ToolLength]);
+    });
     if (!number) {
       return number.error();
-    }
-    if (number.value() < 0 || number.value() > OffsetTable::kLargest) {
-      return at_word(control.modal.group[Group::ToolLength].tenth != 0
-                         ? AlarmId::TipControlOffset
-                         : AlarmId::IllegalOffsetNumber,
-                     *h, "H is 0 to 999");
     }
     control.modal.length_offset = number.value();
   }
@@ -110,11 +99,8 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
 
 Result<double, Failure> cutter_radius(const Control& control) {
   const int number = static_cast<int>(control.modal.words['D' - 'A']);
-  if (number < 0 || number > OffsetTable::kLargest) {
-    Failure failure;
-    failure.id = AlarmId::IllegalOffsetNumber;
-    failure.detail = fmt::format("D{}: D is 0 to {}", number, OffsetTable::kLargest);
-    return failure;
+  if (auto wrong = wrong_radius_offset(number)) {
+    return block_failure(wrong->id, std::move(wrong->detail));
   }
   if (number != 0 && !control.expected_tools.empty() && !control.expected_tools.contains(number) &&
       !control.offsets.has(number)) {
@@ -183,7 +169,7 @@ std::optional<PartErrors::TableGroups> table_groups(const Control& control) {
 }  // namespace
 
 MaybeFailure execute_table_offset(Control& control, const NcBlock& block) {
-  const auto number = number_of_error(block, PartErrors::kTableOffsets);
+  const auto number = number_of_error(block);
   if (!number) {
     return number.error();
   }
@@ -201,7 +187,7 @@ MaybeFailure execute_table_offset(Control& control, const NcBlock& block) {
 }
 
 MaybeFailure execute_setting_error(Control& control, const NcBlock& block) {
-  const auto number = number_of_error(block, PartErrors::kSettingErrors);
+  const auto number = number_of_error(block);
   if (!number) {
     return number.error();
   }

@@ -23,11 +23,7 @@ Result<int, Failure> which_reference(const NcBlock& block) {
   if (p == nullptr) {
     return 2;
   }
-  const auto number = integer_of(*p);
-  if (number && (number.value() < 2 || number.value() > 4)) {
-    return at_word(AlarmId::IllegalReference, *p, fmt::format("P{}", number.value()));
-  }
-  return number;
+  return integer_within(*p, wrong_reference);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/code/data_setting.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -12,37 +12,16 @@ namespace {
 /// In inches offsets have one digit less before the point.
 constexpr double kInchLimit = 2.54;
 
-constexpr int kToolLife = 3;
-/// L52 where programs of newer controls write it.
-constexpr int kParameterInput[] = {50, 52};
-
-/// What `G10 L..` sets in the tool offset table, and the first memory, from A on, that has it
-/// (MB-257, MB-258).
-struct OffsetForm {
-  int l;
-  double runtime::ToolEntry::*field;
-  OffsetMemory from;
-};
-
-constexpr OffsetForm kOffsetForms[] = {{1, &runtime::ToolEntry::length_wear_mm, OffsetMemory::A},
-                                       {10, &runtime::ToolEntry::length_mm, OffsetMemory::B},
-                                       {11, &runtime::ToolEntry::length_wear_mm, OffsetMemory::A},
-                                       {12, &runtime::ToolEntry::radius_mm, OffsetMemory::C},
-                                       {13, &runtime::ToolEntry::radius_wear_mm, OffsetMemory::C}};
-
 MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const OffsetForm& form) {
   const EvaluatedWord* const p = block.words.find('P');
   const EvaluatedWord* const r = block.words.find('R');
-  if (p == nullptr || r == nullptr) {
-    return p == nullptr ? block_failure(AlarmId::DataInputFormat, "P is missing")
-                        : block_failure(AlarmId::NoValueInG10, "R is missing");
+  if (auto wrong = missing_offset_word(p != nullptr, r != nullptr)) {
+    return block_failure(wrong->id, std::move(wrong->detail));
   }
-  const auto number = integer_of(*p);
+  const auto number =
+      integer_within(*p, [&form](int given) { return wrong_data_number(form.l, given); });
   if (!number) {
     return number.error();
-  }
-  if (number.value() < 1 || number.value() > OffsetTable::kLargest) {
-    return at_word(AlarmId::IllegalPInG10, *p, "P is 1 to 999");
   }
   const runtime::ToolEntry entry = control.offsets.get(number.value());
   const double before = control.modal.incremental() ? entry.*form.field : 0.0;
@@ -60,14 +39,11 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
 /// G10 L2 P0..P6 and L20 P1..P300; axes that are not named keep their value.
 MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   const EvaluatedWord* const p = block.words.find('P');
-  const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(l == 2 ? 0 : 1);
+  const auto number =
+      p != nullptr ? integer_within(*p, [l](int given) { return wrong_data_number(l, given); })
+                   : Result<int, Failure>(l == 2 ? 0 : 1);
   if (!number) {
     return number.error();
-  }
-  const int lowest = l == 2 ? 0 : 1;
-  const int highest = l == 2 ? Coordinates::kSystems : Coordinates::kAdditional;
-  if (number.value() < lowest || number.value() > highest) {
-    return at_word(AlarmId::IllegalPInG10, *p, fmt::format("P is {} to {}", lowest, highest));
   }
   const int which = number.value() + (l == 2 ? 0 : Coordinates::kSystems);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -114,15 +90,18 @@ MaybeFailure set_table_offset(Control& control, const NcBlock& block) {
 MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   control.use_measured();
   const EvaluatedWord* const word = block.words.find('L');
-  const auto l = word != nullptr ? integer_of(*word) : Result<int, Failure>(1);
+  const auto limit = [&control](int given) {
+    return wrong_data_kind(given, control.offsets.memory(), control.profile);
+  };
+  const auto l = word != nullptr ? integer_within(*word, limit) : Result<int, Failure>(kUsualData);
   if (!l) {
     return l.error();
   }
-  if (std::ranges::find(kParameterInput, l.value()) != std::end(kParameterInput)) {
+  if (sets_parameters(l.value())) {
     control.data_input = DataInput::Parameters;
     return std::nullopt;
   }
-  if (l.value() == kToolLife) {
+  if (l.value() == kToolLifeData) {
     const EvaluatedWord* const p = block.words.find('P');
     constexpr double kDeletes = 2.0;
     control.data_input = DataInput::ToolLife;
@@ -130,20 +109,12 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
     control.warn_once(source::DiagnosticId::NotSimulated, block.where, "tool life management");
     return std::nullopt;
   }
-  if (l.value() == 2 || l.value() == 20) {
+  if (sets_work_offset(l.value())) {
     return set_work_offset(control, block, l.value());
   }
-  constexpr int kTableOffset = 21;
-  constexpr GNumber kTableOffsetCode{54, 2};
-  if (l.value() == kTableOffset && has_g_code(control.profile, *find_g_code(kTableOffsetCode))) {
-    return set_table_offset(control, block);
-  }
-  for (const OffsetForm& form : kOffsetForms) {
-    if (form.l == l.value() && control.offsets.memory() >= form.from) {
-      return set_tool_offset(control, block, form);
-    }
-  }
-  return at_word(AlarmId::DataInputFormat, *word, fmt::format("G10 has no L{} here", l.value()));
+  const OffsetForm* const form = find_offset_form(l.value(), control.offsets.memory());
+  return form != nullptr ? set_tool_offset(control, block, *form)
+                         : set_table_offset(control, block);
 }
 
 }  // namespace g31::fanuc

@@ -72,30 +72,23 @@ Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block
   if (p == nullptr) {
     return SkipKind();
   }
-  const auto number = integer_of(*p);
+  const SkipSelection selection = control.profile.skip_selection;
+  const auto number =
+      integer_within(*p, [selection](int given) { return wrong_skip(given, selection); });
   if (!number) {
     return number.error();
   }
-  if (control.profile.skip_selection == SkipSelection::Mask) {
-    constexpr int kAllSignals = 255;
-    return number.value() >= 1 && number.value() <= kAllSignals
-               ? Result<SkipKind, Failure>({false, static_cast<unsigned>(number.value())})
-               : at_word(AlarmId::SkipMask, *p, "P is 1 to 255, one bit for each signal");
+  if (selection == SkipSelection::Mask) {
+    return SkipKind{false, static_cast<unsigned>(number.value())};
   }
-  if (number.value() == 98 || number.value() == 99) {
-    if (axes_named(block.words) != 1) {
-      return at_word(AlarmId::SkipFormat, *p, "one axis is needed");
-    }
-    return SkipKind{number.value() == 98, 0};
+  if (skips_by_torque(number.value())) {
+    auto wrong = wrong_skip_axes(axes_named(block.words));
+    return wrong ? at_word(*std::move(wrong), *p)
+                 : Result<SkipKind, Failure>({number.value() == 98, 0});
   }
-  const unsigned signals =
-      number.value() >= 1 && number.value() <= 4
-          ? control.parameters.signals(ParameterId::SkipSignals, number.value() - 1)
-          : 0U;
-  if (signals == 0) {
-    return at_word(AlarmId::SkipSignalSelect, *p, fmt::format("P{}", number.value()));
-  }
-  return SkipKind{false, signals};
+  const unsigned signals = control.parameters.signals(ParameterId::SkipSignals, number.value() - 1);
+  return signals != 0 ? Result<SkipKind, Failure>({false, signals})
+                      : at_word(no_skip_signal(number.value()), *p);
 }
 
 /// The measuring input that a skip move listens to: the one among its signals that something is

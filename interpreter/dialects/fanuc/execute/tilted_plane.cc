@@ -249,7 +249,7 @@ Result<std::optional<Plane3>, Failure> described(Control& control, const NcBlock
       plane = by_projections(control, block.words);
       break;
     default:
-      return at_word(AlarmId::TiltedPlaneFormat, *block.words.find('P'), "P is 0 to 4");
+      return at_word(*wrong_plane_form(form.value()), *block.words.find('P'));
   }
   return plane ? Result<std::optional<Plane3>, Failure>(std::optional(plane.value()))
                : plane.error();

@@ -1,11 +1,9 @@
-#include <fmt/format.h>
+#include <utility>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
 namespace {
-
-constexpr double kThousandth = 0.001;
 
 /// What the program counts from is as good as an offset.
 void apply(Control& control) {
@@ -13,11 +11,9 @@ void apply(Control& control) {
   control.coordinates.set_transform(control.transforms.all());
 }
 
-/// P, I, J, K of G51: thousandths, or the factor itself where the control takes a point (MB-299).
+/// P, I, J, K of G51.
 Result<double, Failure> scale_factor(const Control& control, const EvaluatedWord& word) {
-  const bool is_factor =
-      word.form != syntax::ValueForm::Integer && control.profile.has_series_30i_functions;
-  if (is_factor) {
+  if (is_scale_factor(word, control.profile)) {
     return word.number;
   }
   const auto thousandths = integer_of(word);
@@ -42,8 +38,8 @@ Result<Point, Failure> scale_factors(const Control& control, const NcBlock& bloc
       }
       factor = given.value();
     }
-    if (factor == 0.0 || (!by_axis && factor < 0.0)) {
-      return block_failure(AlarmId::IllegalScale, fmt::format("the factor is {}", factor));
+    if (auto wrong = wrong_scale(factor, by_axis)) {
+      return block_failure(wrong->id, std::move(wrong->detail));
     }
   }
   return factors;

@@ -48,12 +48,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called_by(const Evaluate
 
 Result<int, Failure> repeats_of(const BlockWords& words) {
   const EvaluatedWord* const l = words.find('L');
-  if (l == nullptr) {
-    return 1;
-  }
-  const auto times = integer_of(*l);
-  auto wrong = times ? wrong_repeats(times.value()) : std::nullopt;
-  return wrong ? at_word(wrong->id, *l, std::move(wrong->detail)) : times;
+  return l != nullptr ? integer_within(*l, wrong_repeats) : Result<int, Failure>(1);
 }
 
 }  // namespace g31::fanuc

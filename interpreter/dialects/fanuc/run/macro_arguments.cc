@@ -1,6 +1,5 @@
 #include "interpreter/dialects/fanuc/run/macro_arguments.h"
 
-#include <array>
 #include <string>
 #include <string_view>
 
@@ -8,16 +7,12 @@
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/state/expression_reads.h"
+#include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
 
 namespace g31::fanuc {
 namespace {
 
 using syntax::ValueForm;
-
-/// Argument specification I (MB-191): the local variable of an address, 0 for none.
-constexpr std::array<std::uint8_t, syntax::kLetterCount> kArgumentVariable = {
-    // A B C  D  E  F  G  H   I  J  K  L  M   N  O  P  Q   R   S   T   U   V   W   X   Y   Z
-    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 0, 0};
 
 /// Letters whose plain integer argument means least increments (MB-196).
 bool counts_increments(char letter) {
@@ -32,10 +27,6 @@ std::size_t modal_depth(std::size_t which) {
 
 }  // namespace
 
-bool is_argument(char letter) {
-  return kArgumentVariable[static_cast<std::size_t>(letter - 'A')] != 0;
-}
-
 double argument_value(const EvaluatedWord& word, const WordScale& scale) {
   return word.form == ValueForm::Integer && counts_increments(word.letter) ? scale.length(word)
                                                                            : word.number;
@@ -49,10 +40,9 @@ MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
   std::string in_triple;
   made_of_.clear();
   for (const EvaluatedWord& word : arguments) {
-    int variable = kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')];
+    int variable = argument_variable(word.letter);
     if (variable == 0) {
-      return at_word(AlarmId::IllegalArgumentLetter, word,
-                     fmt::format("{} as argument", syntax::letter_text(word.letter)));
+      return at_word(wrong_argument(word.letter), word);
     }
     if (triples && word.letter >= 'I' && word.letter <= 'K') {
       const bool begins = word.letter <= last_of_triple;
@@ -109,12 +99,10 @@ void MacroArguments::follow_modal_call(std::size_t which) {
 
 void MacroArguments::keep_words() {
   for (const EvaluatedWord& word : running_.words().all()) {
-    const std::size_t variable =
-        word.letter >= 'A' && word.letter <= 'Z'
-            ? kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')]
-            : 0;
+    const int variable = argument_variable(word.letter);
     if (variable != 0) {
-      control_.modal.arguments.at(variable) = argument_value(word, control_.scale);
+      control_.modal.arguments.at(static_cast<std::size_t>(variable)) =
+          argument_value(word, control_.scale);
     }
   }
 }

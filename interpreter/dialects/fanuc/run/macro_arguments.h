@@ -12,9 +12,6 @@ namespace g31::fanuc {
 /// Of P, where it is an argument.
 inline constexpr std::size_t kVariableOfP = 16;
 
-/// Whether a word of this letter can be an argument (MB-191).
-bool is_argument(char letter);
-
 /// What a word passes to a macro: without a point it counts least increments (MB-196).
 double argument_value(const EvaluatedWord& word, const WordScale& scale);
 

@@ -30,9 +30,8 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
   for (const EvaluatedWord& word : words_.all()) {
     if (!is_call_word(word, code)) {
       arguments.push_back(word);
-      if (!is_argument(word.letter)) {
-        return at_word(AlarmId::IllegalArgumentLetter, word,
-                       fmt::format("{} as argument", syntax::letter_text(word.letter)));
+      if (auto failure = at_word(wrong_argument(word.letter), word)) {
+        return failure;
       }
     }
   }

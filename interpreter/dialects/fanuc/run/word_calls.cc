@@ -94,6 +94,9 @@ Result<bool, Failure> WordCalls::call_by_address(const EvaluatedWord& word) {
   if (!may_call(CalledBy::Address)) {
     return false;
   }
+  if (!fits_plain_word(word)) {
+    return at_word(wrong_plain_word(word), word);
+  }
   control_.variables.set_common(call.variable, Cell(argument_value(word, control_.scale)));
   return has_called(subprograms_.call_by_code(word, call.program));
 }

@@ -10,6 +10,7 @@
 #include "interpreter/dialects/fanuc/state/part_errors.h"
 #include "interpreter/dialects/fanuc/state/work_transform.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
 #include "interpreter/path/tip_transform.h"
 #include "machine/kinematics/axis_chain.h"
 #include "machine/kinematics/orientation.h"
@@ -46,7 +47,7 @@ struct ToolInWork {
 class Coordinates {
  public:
   static constexpr int kSystems = kWorkSystems;  ///< G54..G59
-  static constexpr int kAdditional = 300;        ///< G54.1 P1..P300
+  static constexpr int kAdditional = kAdditionalSystems;
 
   Coordinates() { systems_.fill(AxisPositions::Zero()); }
 

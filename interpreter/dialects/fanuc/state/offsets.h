@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
 #include "interpreter/runtime/control_setup.h"
 
 namespace g31::fanuc {
@@ -15,7 +16,7 @@ using runtime::OffsetMemory;
 /// too.
 class OffsetTable {
  public:
-  static constexpr int kLargest = 999;
+  static constexpr int kLargest = kToolOffsets;
   using Field = double runtime::ToolEntry::*;
 
   void set_memory(OffsetMemory memory) { memory_ = memory; }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
 #include "machine/kinematics/axis_chain.h"
 #include "machine/units/axis_positions.h"
 
@@ -38,8 +39,8 @@ class PartErrors {
  public:
   PartErrors() { table_offsets_.fill(AxisPositions::Zero()); }
 
-  static constexpr int kTableOffsets = 8;   ///< G54.2 P1..P8
-  static constexpr int kSettingErrors = 7;  ///< G54.4 P1..P7; 0 is added to each
+  static constexpr int kTableOffsets = fanuc::kTableOffsets;
+  static constexpr int kSettingErrors = fanuc::kSettingErrors;  ///< number 0 is added to each
   static constexpr std::size_t kTableGroups = 3;
   using TableGroups = std::array<TableGroup, kTableGroups>;
 

@@ -13,6 +13,19 @@ constexpr bool takes_axis_words(GAction action) {
          action == GAction::StrokeCheck || action == GAction::Unsimulated;
 }
 
+/// Whether a modal code takes the words of its block for a frame, or for limits.
+constexpr bool is_frame(GAction action) {
+  return action == GAction::Mirror || action == GAction::MirrorOff || action == GAction::Scaling ||
+         action == GAction::Rotation || action == GAction::TiltedPlane ||
+         action == GAction::StrokeCheck;
+}
+
+/// Whether a code of one block leaves the words to others.
+constexpr bool leaves_words(GAction action) {
+  return action == GAction::ExactStop || action == GAction::ContourControl ||
+         action == GAction::NoEffect;
+}
+
 /// Whether a code has no place in a tilted plane (G68.2).
 constexpr bool is_barred_in_plane(GAction action) {
   return action == GAction::WorkOffset || action == GAction::SetPosition ||

@@ -1,0 +1,58 @@
+#include "interpreter/dialects/fanuc/code/data_setting.h"
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
+
+namespace g31::fanuc {
+namespace {
+
+using runtime::OffsetMemory;
+using runtime::ToolEntry;
+
+constexpr OffsetForm kOffsetForms[] = {{1, &ToolEntry::length_wear_mm, OffsetMemory::A},
+                                       {10, &ToolEntry::length_mm, OffsetMemory::B},
+                                       {11, &ToolEntry::length_wear_mm, OffsetMemory::A},
+                                       {12, &ToolEntry::radius_mm, OffsetMemory::C},
+                                       {13, &ToolEntry::radius_wear_mm, OffsetMemory::C}};
+
+}  // namespace
+
+const OffsetForm* find_offset_form(int l, OffsetMemory memory) {
+  for (const OffsetForm& form : kOffsetForms) {
+    if (form.l == l && memory >= form.from) {
+      return &form;
+    }
+  }
+  return nullptr;
+}
+
+bool sets_table_offset(int l, const Profile& profile) {
+  constexpr int kTableOffset = 21;
+  constexpr GNumber kCode{54, 2};
+  return l == kTableOffset && has_g_code(profile, *find_g_code(kCode));
+}
+
+MaybeWrong wrong_data_kind(int l, OffsetMemory memory, const Profile& profile) {
+  const bool is_there = sets_parameters(l) || sets_work_offset(l) || l == kToolLifeData ||
+                        sets_table_offset(l, profile) || find_offset_form(l, memory) != nullptr;
+  return is_there ? std::nullopt
+                  : MaybeWrong(WrongValue{AlarmId::DataInputFormat,
+                                          fmt::format("G10 has no L{} here", l)});
+}
+
+MaybeWrong missing_offset_word(bool has_p, bool has_r) {
+  return !has_p   ? MaybeWrong(WrongValue{AlarmId::DataInputFormat, "P is missing"})
+         : !has_r ? MaybeWrong(WrongValue{AlarmId::NoValueInG10, "R is missing"})
+                  : std::nullopt;
+}
+
+MaybeWrong wrong_data_number(int l, int p) {
+  const int least = l == 2 ? 0 : 1;
+  const int most = l == 2 ? kWorkSystems : l == 20 ? kAdditionalSystems : kToolOffsets;
+  return p < least || p > most ? MaybeWrong(WrongValue{AlarmId::IllegalPInG10,
+                                                       fmt::format("P is {} to {}", least, most)})
+                               : std::nullopt;
+}
+
+}  // namespace g31::fanuc

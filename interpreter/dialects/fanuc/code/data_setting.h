@@ -1,0 +1,39 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/code/word_limits.h"
+#include "interpreter/runtime/control_setup.h"
+
+namespace g31::fanuc {
+
+/// What `G10 L..` sets in the tool offset table, and the first memory, from A on, that has it
+/// (MB-257, MB-258).
+struct OffsetForm {
+  int l;
+  double runtime::ToolEntry::*field;
+  runtime::OffsetMemory from;
+};
+
+/// nullptr: L sets no tool offset of such a memory.
+const OffsetForm* find_offset_form(int l, runtime::OffsetMemory memory);
+
+inline constexpr int kUsualData = 1;     ///< L of G10, where there is none
+inline constexpr int kToolLifeData = 3;  ///< G10 L3
+/// G10 L50, and L52 where programs of newer controls write it.
+constexpr bool sets_parameters(int l) {
+  return l == 50 || l == 52;
+}
+/// G10 L2 and L20.
+constexpr bool sets_work_offset(int l) {
+  return l == 2 || l == 20;
+}
+/// G10 L21, of controls with G54.2.
+bool sets_table_offset(int l, const Profile& profile);
+
+/// L of G10.
+MaybeWrong wrong_data_kind(int l, runtime::OffsetMemory memory, const Profile& profile);
+/// Of a tool offset.
+MaybeWrong missing_offset_word(bool has_p, bool has_r);
+/// P of G10 L2 and L20, and of tool offsets.
+MaybeWrong wrong_data_number(int l, int p);
+
+}  // namespace g31::fanuc

@@ -1,0 +1,131 @@
+#include "interpreter/dialects/fanuc/code/word_limits.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
+#include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
+
+namespace g31::fanuc {
+namespace {
+
+MaybeWrong wrong(AlarmId id, std::string detail) {
+  return WrongValue{id, std::move(detail)};
+}
+
+bool is_out(int number, int least, int most) {
+  return number < least || number > most;
+}
+
+}  // namespace
+
+WrongValue point_in(const EvaluatedWord& word) {
+  return {AlarmId::IllegalPoint, fmt::format("{} takes an integer", word.letter)};
+}
+
+WrongValue wrong_plain_word(const EvaluatedWord& word) {
+  if (word.letter == 'F') {
+    return {AlarmId::IllegalMinus, "a feed cannot be negative"};
+  }
+  return is_integer(word)
+             ? WrongValue{AlarmId::IllegalMinus, fmt::format("{} counts from 0", word.letter)}
+             : point_in(word);
+}
+
+MaybeWrong wrong_argument(char letter) {
+  return argument_variable(letter) == 0
+             ? wrong(AlarmId::IllegalArgumentLetter,
+                     fmt::format("{} as argument", syntax::letter_text(letter)))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_length_offset(int number, GNumber code) {
+  return is_out(number, 0, kToolOffsets)
+             ? wrong(code.tenth != 0 ? AlarmId::TipControlOffset : AlarmId::IllegalOffsetNumber,
+                     fmt::format("H is 0 to {}", kToolOffsets))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_radius_offset(int number) {
+  return is_out(number, 0, kToolOffsets)
+             ? wrong(AlarmId::IllegalOffsetNumber,
+                     fmt::format("D{}: D is 0 to {}", number, kToolOffsets))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_work_system(int number, GNumber code) {
+  return is_out(number, 1, kAdditionalSystems)
+             ? wrong(AlarmId::IllegalOffsetNumber,
+                     fmt::format("{} has P1 to P{}", to_text(code), kAdditionalSystems))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_part_error(int number, GNumber code) {
+  constexpr GNumber kTableOffset{54, 2};
+  const int most = code == kTableOffset ? kTableOffsets : kSettingErrors;
+  return is_out(number, 0, most) ? wrong(AlarmId::IllegalOffsetNumber,
+                                         fmt::format("{} has P0 to P{}", to_text(code), most))
+                                 : std::nullopt;
+}
+
+WrongValue unknown_code(double number) {
+  return {AlarmId::ImproperGCode, fmt::format("the control has no G{}", number)};
+}
+
+MaybeWrong wrong_dwell(double seconds) {
+  return seconds < 0.0 ? wrong(AlarmId::IllegalMinus, "a dwell cannot be negative") : std::nullopt;
+}
+
+MaybeWrong wrong_reference(int number) {
+  return is_out(number, 2, 4) ? wrong(AlarmId::IllegalReference, fmt::format("P{}", number))
+                              : std::nullopt;
+}
+
+MaybeWrong wrong_skip(int number, SkipSelection selection) {
+  constexpr int kAllSignals = 255;
+  constexpr int kSelections = 4;
+  if (selection == SkipSelection::Mask) {
+    return is_out(number, 1, kAllSignals)
+               ? wrong(AlarmId::SkipMask, "P is 1 to 255, one bit for each signal")
+               : std::nullopt;
+  }
+  const bool is_there = skips_by_torque(number) || !is_out(number, 1, kSelections);
+  return is_there ? std::nullopt : MaybeWrong(no_skip_signal(number));
+}
+
+WrongValue no_skip_signal(int number) {
+  return {AlarmId::SkipSignalSelect, fmt::format("P{}", number)};
+}
+
+MaybeWrong wrong_skip_axes(int count) {
+  return count != 1 ? wrong(AlarmId::SkipFormat, "one axis is needed") : std::nullopt;
+}
+
+MaybeWrong wrong_scale(double factor, bool by_axis) {
+  return factor == 0.0 || (!by_axis && factor < 0.0)
+             ? wrong(AlarmId::IllegalScale, fmt::format("the factor is {}", factor))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_plane_form(int number) {
+  return is_out(number, 0, 4) ? wrong(AlarmId::TiltedPlaneFormat, "P is 0 to 4") : std::nullopt;
+}
+
+MaybeWrong wrong_holes(int times, char letter) {
+  constexpr int kMost = 9999;
+  return is_out(times, 0, kMost)
+             ? wrong(AlarmId::IllegalAddress, fmt::format("{} is 0 to {}", letter, kMost))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_corner(double size) {
+  return size < 0.0 ? wrong(AlarmId::IllegalMinus, "the size of a corner cannot be negative")
+                    : std::nullopt;
+}
+
+WrongValue second_corner() {
+  return {AlarmId::TwoCornerWords, "one of ,C and ,R in a block"};
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/code/value_limits.h"
+
+// What plain words take, whatever the control's state: the same for a run and for who looks at
+// words without running, as value_limits.h.  Each function says nullopt of what is right.
+
+namespace g31::fanuc {
+
+using MaybeWrong = std::optional<WrongValue>;
+
+/// Of a word whose value is an integer (M S T D H N O L P): a literal must have no point, a
+/// computed one is rounded (MB-025, MB-026).
+inline bool is_integer(const EvaluatedWord& word) {
+  return word.form != syntax::ValueForm::Decimal;
+}
+/// Of one that has a point.
+WrongValue point_in(const EvaluatedWord& word);
+
+/// Whether F, M, S, T, D and H take their number, whatever they are for.
+inline bool fits_plain_word(const EvaluatedWord& word) {
+  switch (word.letter) {
+    case 'F':
+      return word.number >= 0.0;
+    case 'M':
+    case 'S':
+    case 'T':
+      return is_integer(word) && nearest_integer(word.number) >= 0;
+    case 'D':
+    case 'H':
+      return is_integer(word);
+    default:
+      return true;
+  }
+}
+/// Of one that does not.
+WrongValue wrong_plain_word(const EvaluatedWord& word);
+
+/// Whether a letter can be an argument of G65 and the like.
+MaybeWrong wrong_argument(char letter);
+
+/// H.  @param code  of tool length, in force
+MaybeWrong wrong_length_offset(int number, GNumber code);
+/// D with G41 and G42.
+MaybeWrong wrong_radius_offset(int number);
+/// Whether a code names its work system by P: G54.1, G154, and G54 where there is one.
+constexpr bool selects_by_number(GNumber code, bool has_p) {
+  constexpr GNumber kAdditional{54, 1};
+  constexpr int kAdditionalOfHaas = 154;
+  return code == kAdditional || code.whole == kAdditionalOfHaas || (code.whole == 54 && has_p);
+}
+/// Its P.
+MaybeWrong wrong_work_system(int number, GNumber code);
+/// P of G54.2 and G54.4.
+MaybeWrong wrong_part_error(int number, GNumber code);
+
+/// Of a G code that the control has not.
+WrongValue unknown_code(double number);
+/// Whether P of G04 is in seconds, else in milliseconds (MB-285).
+inline bool is_dwell_in_seconds(const EvaluatedWord& p, const Profile& profile) {
+  return p.form != syntax::ValueForm::Integer && profile.dwell_point_is_seconds;
+}
+/// G04, and P of a canned cycle.
+MaybeWrong wrong_dwell(double seconds);
+/// P of G30.
+MaybeWrong wrong_reference(int number);
+/// P of G31, as far as parameters do not say it.
+MaybeWrong wrong_skip(int number, SkipSelection selection);
+/// P of G31 that has no signal.
+WrongValue no_skip_signal(int number);
+/// P98 and P99 of G31.
+constexpr bool skips_by_torque(int number) {
+  return number == 98 || number == 99;
+}
+/// Axes of G31 P98 and P99.
+MaybeWrong wrong_skip_axes(int count);
+inline constexpr double kThousandth = 0.001;
+/// Whether P, I, J or K of G51 is a factor, as some controls take it with a point; else it is in
+/// thousandths (MB-299).
+inline bool is_scale_factor(const EvaluatedWord& word, const Profile& profile) {
+  return word.form != syntax::ValueForm::Integer && profile.has_series_30i_functions;
+}
+/// What it comes to.  @param by_axis  I, J or K: a factor below 0 mirrors
+MaybeWrong wrong_scale(double factor, bool by_axis);
+/// P of G68.2.
+MaybeWrong wrong_plane_form(int number);
+/// Repeats of a canned cycle.
+MaybeWrong wrong_holes(int times, char letter);
+/// ,C and ,R.
+MaybeWrong wrong_corner(double size);
+/// A second one of them in a block.
+WrongValue second_corner();
+
+}  // namespace g31::fanuc
