@@ -8,6 +8,7 @@
 #include "interpreter/analysis/fanuc_accesses.h"
 #include "interpreter/analysis/fanuc_constants.h"
 #include "interpreter/analysis/fanuc_moves.h"
+#include "interpreter/analysis/fanuc_words.h"
 #include "interpreter/analysis/flow_builder.h"
 #include "interpreter/dialects/fanuc/code/exits.h"
 
@@ -38,7 +39,10 @@ class FanucTranslation {
   using Step = fanuc::Step;
 
   FanucTranslation(const fanuc::CompiledProgram& program, const fanuc::Profile& profile)
-      : program_(program), profile_(profile), builder_(name_of(program), *program.file) {}
+      : program_(program),
+        profile_(profile),
+        words_(program, profile),
+        builder_(name_of(program), *program.file) {}
 
   Flow run() {
     for (Index i = 0; i < program_.steps.size(); ++i) {
@@ -64,6 +68,7 @@ class FanucTranslation {
 
   const fanuc::CompiledProgram& program_;
   const fanuc::Profile& profile_;
+  FanucWords words_;
   FlowBuilder builder_;
   bool stops_ = false;  ///< an alarm ends every run of the present block
 };
@@ -92,6 +97,8 @@ void FanucTranslation::step(Index index) {
   if (block.sequence >= 0) {
     builder_.label(fmt::format("N{}", block.sequence));
   }
+  const auto wrong_word =
+      step.kind == BlockKind::Nc ? words_.wrong_in(block) : std::optional<WrongConstant>();
   if (step.kind == BlockKind::Bad) {
     const syntax::SyntaxError& error = program_.errors[static_cast<std::size_t>(step.number)];
     stop(fault_of(static_cast<AlarmId>(error.error), error.where, error.message));
@@ -101,7 +108,8 @@ void FanucTranslation::step(Index index) {
   } else if (step.kind == BlockKind::Assign) {
     stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
   }
-  if (const auto found = stops_ ? std::nullopt : wrong_constant(program_, step, profile_)) {
+  const auto constant = stops_ ? std::nullopt : wrong_constant(program_, step, profile_);
+  if (const auto& found = constant || stops_ ? constant : wrong_word) {
     stop(fault_of(found->wrong.id, found->where, found->wrong.detail));
   }
   add_accesses(program_, step, builder_);

@@ -1,0 +1,298 @@
+#include "interpreter/analysis/fanuc_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "interpreter/analysis/fanuc_known_words.h"
+#include "interpreter/dialects/fanuc/code/data_setting.h"
+#include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::analysis {
+namespace {
+
+using fanuc::EvaluatedWord;
+using fanuc::GAction;
+using fanuc::GCode;
+using syntax::Word;
+using Words = std::span<const Word>;
+
+/// What the words of a block are for.
+enum class Use { Block, MacroCall, Subprogram, Return, Unknown };
+
+/// Codes that the rest of a block is read by; the last of each kind counts.
+struct CodesOfBlock {
+  const GCode* acting = nullptr;  ///< takes the words for itself
+  const GCode* work_offset = nullptr;
+  const GCode* tool_length = nullptr;
+  const GCode* compensation = nullptr;
+  bool drills = false;   ///< in a canned cycle
+  bool is_open = false;  ///< what they do says the sheet, or the state before
+};
+
+bool has_code(const fanuc::Profile& profile, const GCode* code) {
+  return code != nullptr && fanuc::has_g_code(profile, *code);
+}
+
+bool is_g(const EvaluatedWord& word, double code) {
+  return word.letter == 'G' && word.number == code;
+}
+
+bool is_macro_call(const EvaluatedWord& word) {
+  return is_g(word, 65.0) || is_g(word, 66.0);
+}
+
+void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
+  const GCode* const code = fanuc::find_g_code(word.number);
+  if (!has_code(profile, code)) {
+    // A whole number may be what the sheet makes call a macro.
+    codes.is_open |= word.number >= 0.0 && word.number == std::round(word.number);
+    return;
+  }
+  const bool is_one_shot =
+      code->group == fanuc::Group::OneShot && !fanuc::leaves_words(code->action);
+  if (is_one_shot || fanuc::is_frame(code->action)) {
+    codes.is_open |= codes.acting != nullptr || code->action == GAction::Refused;
+    codes.acting = code;
+  } else if (code->action == GAction::WorkOffset) {
+    codes.work_offset = code;
+  } else if (code->group == fanuc::Group::ToolLength) {
+    codes.tool_length = code;
+  } else if (code->group == fanuc::Group::CutterCompensation) {
+    codes.compensation = code;
+  } else if (code->group == fanuc::Group::CannedCycle || code->action == GAction::Motion) {
+    codes.drills = code->action == GAction::CannedCycle;
+  }
+}
+
+class JudgedBlock {
+ public:
+  JudgedBlock(Words words, syntax::ShortSpan whole, const fanuc::Profile& profile)
+      : profile_(profile), whole_(whole), words_(words) {
+    for (const EvaluatedWord& word : words_.words().all()) {
+      if (word.letter == 'G' && !is_macro_call(word) && !is_g(word, 67.0)) {
+        take_code(codes_, word, profile);
+      }
+    }
+  }
+
+  [[nodiscard]] WrongWord judge() const;
+
+ private:
+  [[nodiscard]] Use use() const;
+  [[nodiscard]] Use use_by_m(const EvaluatedWord& word) const;
+  [[nodiscard]] WrongWord call(Use use) const;
+  [[nodiscard]] WrongWord argument_letters() const;
+  [[nodiscard]] WrongWord unknown_code() const;
+  [[nodiscard]] WrongWord plain_words(char left_out) const;
+  [[nodiscard]] WrongWord offsets() const;
+  [[nodiscard]] WrongWord corners() const;
+  [[nodiscard]] WrongWord compensation() const;
+  [[nodiscard]] WrongWord action() const;
+
+  const fanuc::Profile& profile_;
+  syntax::ShortSpan whole_;
+  KnownWords words_;
+  CodesOfBlock codes_;
+};
+
+/// Of an M code; Block: it calls nothing.
+Use JudgedBlock::use_by_m(const EvaluatedWord& word) const {
+  if (!fanuc::is_integer(word)) {
+    return Use::Block;
+  }
+  const int code = fanuc::nearest_integer(word.number);
+  if (code == 98 || code == 99) {
+    return code == 98 ? Use::Subprogram : Use::Return;
+  }
+  const bool is_local = profile_.has_local_calls && (code == 96 || code == 97);
+  const bool is_end = code == 2 || code == 30;
+  const bool may_call = code > 1 && !is_end && &word == &words_.words().all().front();
+  return is_local || may_call ? Use::Unknown : Use::Block;
+}
+
+/// By the first word that calls.
+Use JudgedBlock::use() const {
+  if (codes_.is_open || words_.is_open('G') || words_.is_open('M')) {
+    return Use::Unknown;
+  }
+  for (const EvaluatedWord& word : words_.words().all()) {
+    if (is_macro_call(word)) {
+      return Use::MacroCall;
+    }
+    if (is_g(word, 67.0)) {
+      return Use::Unknown;  // nothing else of its block counts
+    }
+    const Use use = word.letter == 'M' ? use_by_m(word) : Use::Block;
+    if (use != Use::Block) {
+      return use;
+    }
+  }
+  return Use::Block;
+}
+
+WrongWord JudgedBlock::judge() const {
+  const Use use = this->use();
+  if (use == Use::Unknown) {
+    return std::nullopt;
+  }
+  if (use != Use::Block) {
+    return call(use);
+  }
+  constexpr char kNothing = '/';
+  for (const auto& part :
+       {unknown_code(), plain_words(kNothing), offsets(), corners(), compensation()}) {
+    if (part) {
+      return part;
+    }
+  }
+  return action();
+}
+
+/// G65, G66, M98, M99.
+WrongWord JudgedBlock::call(Use use) const {
+  WrongWord found;
+  if (use == Use::MacroCall) {
+    found = argument_letters();
+  } else if (use == Use::Subprogram) {
+    found = unknown_code();
+    found = found ? found : plain_words(profile_.start_letter);
+  }
+  found = found ? found : words_.integer('P', [](int) -> fanuc::MaybeWrong { return {}; });
+  return found ? found : words_.integer('L', fanuc::wrong_repeats);
+}
+
+WrongWord JudgedBlock::argument_letters() const {
+  const auto& all = words_.words().all();
+  const auto code = std::ranges::find_if(all, is_macro_call);
+  for (auto word = all.begin(); word != all.end(); ++word) {
+    if (word != code && word->letter != 'P' && word->letter != 'L') {
+      if (WrongWord found = KnownWords::at(fanuc::wrong_argument(word->letter), *word)) {
+        return found;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+WrongWord JudgedBlock::unknown_code() const {
+  for (const EvaluatedWord& word : words_.words().all()) {
+    if (word.letter == 'G' && !has_code(profile_, fanuc::find_g_code(word.number))) {
+      return KnownWords::at(fanuc::unknown_code(word.number), word);
+    }
+  }
+  return std::nullopt;
+}
+
+/// @param left_out  of the call
+WrongWord JudgedBlock::plain_words(char left_out) const {
+  for (const EvaluatedWord& word : words_.words().all()) {
+    if (word.letter != left_out && !fanuc::fits_plain_word(word)) {
+      return KnownWords::at(fanuc::wrong_plain_word(word), word);
+    }
+  }
+  return std::nullopt;
+}
+
+/// P of G54.1, H.
+WrongWord JudgedBlock::offsets() const {
+  const auto number_of = [](const GCode* code) {
+    return code != nullptr ? code->number : fanuc::GNumber{};
+  };
+  const fanuc::GNumber work = number_of(codes_.work_offset);
+  if (fanuc::selects_by_number(work, words_.words().has('P'))) {
+    if (WrongWord found =
+            words_.integer('P', [work](int p) { return fanuc::wrong_work_system(p, work); })) {
+      return found;
+    }
+  }
+  const fanuc::GNumber length = number_of(codes_.tool_length);
+  return words_.integer('H', [length](int h) { return fanuc::wrong_length_offset(h, length); });
+}
+
+/// ,C and ,R.
+WrongWord JudgedBlock::corners() const {
+  bool is_second = false;
+  for (const EvaluatedWord& word : words_.words().all()) {
+    if (word.letter != syntax::kChamferWord && word.letter != syntax::kRoundingWord) {
+      continue;
+    }
+    if (is_second && !profile_.last_corner_word_counts) {
+      return KnownWords::at(fanuc::second_corner(), word);
+    }
+    is_second = true;
+    if (WrongWord found = KnownWords::at(fanuc::wrong_corner(word.number), word)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+/// D of G41 and G42.
+WrongWord JudgedBlock::compensation() const {
+  const EvaluatedWord* const d = words_.find('D');
+  const bool counts = codes_.compensation != nullptr && codes_.compensation->number.whole != 40;
+  auto wrong = counts && d != nullptr
+                   ? fanuc::wrong_radius_offset(fanuc::nearest_integer(d->number))
+                   : std::nullopt;
+  return wrong ? WrongWord(WrongConstant{*std::move(wrong), whole_}) : std::nullopt;
+}
+
+WrongWord JudgedBlock::action() const {
+  if (codes_.acting != nullptr) {
+    return wrong_for_code(*codes_.acting, words_, whole_, profile_);
+  }
+  constexpr std::uint32_t kHoleWords =
+      fanuc::letters_of({kAxisLetters, kAxisCount}) | fanuc::letters_of("R");
+  return codes_.drills && words_.words().has_any(kHoleWords)
+             ? words_.integer('P', [](int ms) { return fanuc::wrong_dwell(ms / 1000.0); })
+             : std::nullopt;
+}
+
+bool is_g(const Word& word, double code) {
+  return word.letter == 'G' && word.form != syntax::ValueForm::Computed && word.number == code;
+}
+
+Words words_of(const fanuc::CompiledProgram& program, const syntax::Block& block) {
+  return Words(program.tree->words).subspan(block.first_word, block.word_count);
+}
+
+/// Whether a block begins data: G10 with L3, L50 or L52, or one that only a run knows.
+bool begins_data(Words words) {
+  bool begins = false;
+  for (const Word& word : words) {
+    if (word.letter == 'L') {
+      const int l = fanuc::nearest_integer(word.number);
+      begins = word.form == syntax::ValueForm::Computed || l == fanuc::kToolLifeData ||
+               fanuc::sets_parameters(l);
+    }
+  }
+  return begins && std::ranges::any_of(words, [](const Word& word) { return is_g(word, 10.0); });
+}
+
+}  // namespace
+
+FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile)
+    : program_(program), profile_(profile) {
+  for (const fanuc::Step& step : program.steps) {
+    const Words words = words_of(program, program.tree->blocks[step.block]);
+    every_block_calls_ |=
+        std::ranges::any_of(words, [](const Word& word) { return is_g(word, 66.1); });
+  }
+}
+
+WrongWord FanucWords::wrong_in(const syntax::Block& block) {
+  const Words words = words_of(program_, block);
+  const bool was_data = takes_data_;
+  const bool ends = std::ranges::any_of(words, [](const Word& word) { return is_g(word, 11.0); });
+  takes_data_ = !ends && (takes_data_ || begins_data(words));
+  // What stands behind a / may be skipped, and the last word of a letter counts.
+  const bool may_be_cut = std::ranges::find(words, '/', &Word::letter) != words.end();
+  return was_data || may_be_cut || every_block_calls_
+             ? std::nullopt
+             : JudgedBlock(words, block.span, profile_).judge();
+}
+
+}  // namespace g31::analysis

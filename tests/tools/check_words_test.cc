@@ -1,0 +1,180 @@
+// Numbers of plain words that end every run: `g31 check` says of them what the run says.
+
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/captured.h"
+#include "tests/support/temporary_folder.h"
+
+namespace g31::check_words_test {
+namespace {
+
+using testing::TemporaryFolder;
+
+/// A block, and what is said of it: "column number TEXT: what exactly".
+struct Row {
+  const char* block;
+  const char* said;
+};
+
+/// The first error of the second line as a row says it; empty: there is none.
+std::string first_error(const std::string& text, const std::regex& form, const char* order) {
+  std::smatch match;
+  return std::regex_search(text, match, form) ? match.format(order) : std::string();
+}
+
+std::string said_by_run(const std::string& file, const std::string& control) {
+  static const std::regex form(R"(:2:(\d+): error: (.*) \[(\d+)\])");
+  const auto output = testing::g31({"run", file, "--control", control});
+  return first_error(output.errors, form, "$1 $3 $2");
+}
+
+std::string said_by_check(const std::string& file, const std::string& control) {
+  static const std::regex form(R"(:2:(\d+): \w+: alarm (\d+), (.*) \[NC\d+\])");
+  const auto output = testing::g31({"check", file, "--control", control});
+  return first_error(output.out, form, "$1 $2 $3");
+}
+
+std::string fanuc_program(const std::string& block) {
+  return fmt::format("O1\n{}\nM30\nO2\nM99\n", block);
+}
+
+void expect_both_say(const std::string& control, const std::vector<Row>& rows) {
+  const TemporaryFolder folder;
+  for (const Row& row : rows) {
+    SCOPED_TRACE(control + ": " + row.block);
+    const std::string file = folder.write("case.nc", fanuc_program(row.block));
+    EXPECT_EQ(said_by_check(file, control), row.said);
+    EXPECT_EQ(said_by_run(file, control), row.said);
+  }
+}
+
+TEST(CheckWords, NumbersOfFanucWordsAreToldAsARunTellsThem) {
+  expect_both_say(
+      "fanuc-16i",
+      {
+          {"M12.5", "1 7 ILLEGAL USE OF DECIMAL POINT: M takes an integer"},
+          {"X1. M-5", "5 6 ILLEGAL USE OF MINUS SIGN: M counts from 0"},
+          {"T-5", "1 6 ILLEGAL USE OF MINUS SIGN: T counts from 0"},
+          {"T1.5 M6", "1 7 ILLEGAL USE OF DECIMAL POINT: T takes an integer"},
+          {"S-1 M3", "1 6 ILLEGAL USE OF MINUS SIGN: S counts from 0"},
+          {"G1 X1. F-9", "8 6 ILLEGAL USE OF MINUS SIGN: a feed cannot be negative"},
+          {"D1.5", "1 7 ILLEGAL USE OF DECIMAL POINT: D takes an integer"},
+          {"H1000", "1 30 ILLEGAL OFFSET NUMBER: H is 0 to 999"},
+          {"G43 H-1", "5 30 ILLEGAL OFFSET NUMBER: H is 0 to 999"},
+          {"G43 H1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: H takes an integer"},
+          {"G41 D1000 X10. F100", "1 30 ILLEGAL OFFSET NUMBER: D1000: D is 0 to 999"},
+          {"G1.5 X1.", "1 10 IMPROPER G-CODE: the control has no G1.5"},
+          {"G1 X1. ,C-1. F100",
+           "8 6 ILLEGAL USE OF MINUS SIGN: the size of a corner cannot be "
+           "negative"},
+          {"G1 X1. ,C1. ,R1. F100", "13 53 TOO MANY ADDRESS COMMANDS: one of ,C and ,R in a block"},
+      });
+}
+
+TEST(CheckWords, NumbersOfFanucCodesAreToldAsARunTellsThem) {
+  expect_both_say(
+      "fanuc-16i",
+      {
+          {"G10 L99 P1 R1", "5 31 G10 FORMAT ERROR: G10 has no L99 here"},
+          {"G10 L1.5 P1 R1", "5 7 ILLEGAL USE OF DECIMAL POINT: L takes an integer"},
+          {"G10 L2 P7 X0", "8 31 ILLEGAL P COMMAND IN G10: P is 0 to 6"},
+          {"G10 L20 P0 X0", "9 31 ILLEGAL P COMMAND IN G10: P is 1 to 300"},
+          {"G10 L10 P1000 R1", "9 31 ILLEGAL P COMMAND IN G10: P is 1 to 999"},
+          {"G10 P1.5 R1", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+          {"G10 L11 R1", "1 31 G10 FORMAT ERROR: P is missing"},
+          {"G10 L11 P1", "1 32 G10 FORMAT ERROR: R is missing"},
+          {"G04 X-1.", "1 6 ILLEGAL USE OF MINUS SIGN: a dwell cannot be negative"},
+          {"G04 P-1", "1 6 ILLEGAL USE OF MINUS SIGN: a dwell cannot be negative"},
+          {"G04 P1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+          {"G54.1 P999", "7 30 ILLEGAL OFFSET NUMBER: G54.1 has P1 to P300"},
+          {"G54 P301", "5 30 ILLEGAL OFFSET NUMBER: G54 has P1 to P300"},
+          {"G54.4 P8", "7 30 ILLEGAL OFFSET NUMBER: G54.4 has P0 to P7"},
+          {"G30 P5 Z0", "5 46 ILLEGAL REFERENCE RETURN COMMAND: P5"},
+          {"G31 Z-9. F100 P5", "15 370 G31P FORMAT ERROR: P5"},
+          {"G31 X1. Z-9. F100 P99", "19 369 G31 FORMAT ERROR: one axis is needed"},
+          {"G51 P0", "1 142 ILLEGAL SCALE RATE: the factor is 0"},
+          {"G51 P1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+          {"G68.2 P9", "7 5457 G68.2/G68.3 FORMAT ERROR: P is 0 to 4"},
+          {"G82 Z-5. R2. P-1 F100", "14 6 ILLEGAL USE OF MINUS SIGN: a dwell cannot be negative"},
+      });
+}
+
+TEST(CheckWords, NumbersOfCallsAreToldAsARunTellsThem) {
+  expect_both_say("fanuc-16i",
+                  {
+                      {"G65 P1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+                      {"G65 P2 L1.5", "8 7 ILLEGAL USE OF DECIMAL POINT: L takes an integer"},
+                      {"G65 P2 G1 X1.", "8 129 ILLEGAL ARGUMENT ADDRESS: G as argument"},
+                      {"G90 G65 P2", "1 129 ILLEGAL ARGUMENT ADDRESS: G as argument"},
+                      {"G66 P2 O5", "8 129 ILLEGAL ARGUMENT ADDRESS: O as argument"},
+                      {"M98 P1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+                      {"M98 P2 L1.5", "8 7 ILLEGAL USE OF DECIMAL POINT: L takes an integer"},
+                      {"M98 P2 F-9", "8 6 ILLEGAL USE OF MINUS SIGN: a feed cannot be negative"},
+                      {"M99 P1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+                      {"M99 L-1", "5 9 ILLEGAL ADDRESS INPUT: L repeats 0 to 9999 times"},
+                  });
+}
+
+TEST(CheckWords, EachControlHasItsOwnLimits) {
+  expect_both_say("meldas", {{"G31 Z-9. F100 P256",
+                              "15 35 SETTING VALUE RANGE OVER: P is 1 to 255, one bit "
+                              "for each signal"},
+                             {"M98 P2 S-1", "8 35 ILLEGAL USE OF MINUS SIGN: S counts from 0"}});
+  expect_both_say("haas", {{"G04 P-1.5",
+                            "1 6 ILLEGAL USE OF MINUS SIGN: a dwell cannot be "
+                            "negative"},
+                           {"G154 P301", "6 30 ILLEGAL OFFSET NUMBER: G154 has P1 to P300"}});
+  expect_both_say("fanuc-30i", {{"G51 P-1.5", "1 142 ILLEGAL SCALE RATE: the factor is -1.5"}});
+}
+
+TEST(CheckWords, WhatMayBeRightPassesWithoutAWord) {
+  const TemporaryFolder folder;
+  for (const char* const block : {
+           "G100 M12.5 T1.5 F-9.",  // arguments, where the sheet says so
+           "G360",
+           "M6 T1 D25.5",
+           "M12 S-1",
+           "G65 P2 M1.5 T-1. S1.5 F-9. D1.5 H-1.",
+           "G66.1 P2\nM12.5 F-9.\nG67",
+           "G67 F-9.",
+           "G10 L3\nP1 L10\nT1.5 H1 D1\nG11",
+           "G10 L50\nN3410 R-1\nG11",
+           "G10 L10 P#1 R#2",
+           "G10 L21 P0 X1.",
+           "G04 X-1. U1.",
+           "G04 P-1 X#1",
+           "G54",
+           "G54.1",
+           "G31 Z-9. F100 P1",
+           "G31 X#1 Z#2 F100 P99",
+           "G51 P0 I1000 J1000 K1000",
+           "G81 P-1",
+           "D1000",
+           "T#149 S[1.5] M#1",
+           "/ T1 H999 D999",
+           "G1 / M12.5",
+       }) {
+    SCOPED_TRACE(block);
+    EXPECT_EQ(testing::g31({"check", folder.write("case.nc", fanuc_program(block))}).out, "");
+  }
+}
+
+TEST(CheckWords, ABlockThatMayBeSkippedOrIsNeverReachedIsToldAsOthersAre) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("case.nc", "O1\n/ M12.5\nM30\nT-5\n");
+  EXPECT_EQ(said_by_check(file, "fanuc-16i"),
+            "3 7 ILLEGAL USE OF DECIMAL POINT: M takes an integer");
+  const std::string out = testing::g31({"check", file}).out;
+  EXPECT_NE(out.find(":4:1: warning: alarm 6, ILLEGAL USE OF MINUS SIGN: T counts from 0 [NC003]"),
+            out.npos)
+      << out;
+}
+
+}  // namespace
+}  // namespace g31::check_words_test
