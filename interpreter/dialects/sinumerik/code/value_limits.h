@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 
 namespace g31::sinumerik {
 
@@ -23,6 +24,18 @@ constexpr bool fits(Type type, double whole) {
 /// Of a number that does not fit.
 /// @param alarm  of what was to become of it
 WrongValue not_of_type(Type type, double value, AlarmId alarm);
+
+/// Of a result that is no number.  @param b  the second operand
+WrongValue no_number(double b);
+
+/// Of a function that has no value at its first argument.
+WrongValue undefined_at(FunctionId id, double argument);
+
+/// BOUND(low, high, a)
+std::optional<WrongValue> wrong_bounds(double low, double high);
+
+/// P of a call or a repetition.
+std::optional<WrongValue> wrong_passes(double passes);
 
 /// LLI and ULI of a variable; nullopt: the value lies within.
 std::optional<WrongValue> beyond_limits(const Variable& into, double value);

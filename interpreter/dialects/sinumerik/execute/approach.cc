@@ -40,8 +40,8 @@ MaybeFailure approach_reference(Channel& channel, const Block& block) {
 MaybeFailure approach_fixed_point(Channel& channel, const Block& block) {
   const double number =
       block.words.has(Address::FixedPoint) ? block.words[Address::FixedPoint].value : 1.0;
-  if (number != std::floor(number) || number < 1.0 || number > MachinePoints::kFixedPoints) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("FP={:g}", number));
+  if (MaybeFailure wrong = failure(wrong_fixed_point(number))) {
+    return wrong;
   }
   return approach(channel, block, channel.points.q_M_fixed[static_cast<std::size_t>(number) - 1]);
 }

@@ -87,19 +87,11 @@ MaybeFailure stop(Channel& channel, const Block& block) {
   return std::nullopt;
 }
 
-/// A word that counts only with this value.
-struct OnlyValue {
-  Address address;
-  double value;
-};
-constexpr OnlyValue kOnlyZero[] = {{Address::Conic, 0.0}, {Address::NormalOffset, 0.0}};
-
 MaybeFailure refuse_unknown(const Block& block) {
-  for (const OnlyValue& only : kOnlyZero) {
-    const BlockWords::Word& word = block.words[only.address];
-    if (word.present && word.value != only.value) {
-      const AddressInfo& row = addresses()[index_of(only.address) - kAxisCount];
-      return failure(AlarmId::NotImplemented, fmt::format("{}={:g}", row.name, word.value));
+  for (const Address address : kOnlyZero) {
+    const BlockWords::Word& word = block.words[address];
+    if (word.present && word.value != 0.0) {
+      return failure(only_zero(address, word.value));
     }
   }
   return std::nullopt;
@@ -150,7 +142,7 @@ bool has_place(const Block& block) {
 const GCode* special_code(const Block& block) {
   for (const Group group : {Group::OneBlock, Group::ProgrammableFrame}) {
     const GCode* const code = block.code_of(group);
-    if (code != nullptr && special_of(code->action) != nullptr) {
+    if (code != nullptr && takes_words(code->action)) {
       return code;
     }
   }

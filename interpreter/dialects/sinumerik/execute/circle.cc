@@ -13,7 +13,6 @@ namespace {
 using Vector3 = Eigen::Vector3d;
 using machine::Turn;
 
-constexpr double kMostTurns = 999.0;
 /// How far chords may stand off a circle that no plane of the machine's axes holds, mm.
 constexpr double kChordErrorMm = 5e-4;
 
@@ -34,10 +33,8 @@ struct Job {
 
 Result<double, Failure> turns_of(const Block& block) {
   const double turns = block.words[Address::Turns].value;
-  if (turns < 0.0 || turns > kMostTurns || turns != std::floor(turns)) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("TURN={:g}", turns));
-  }
-  return turns;
+  auto wrong = wrong_turns(turns);
+  return wrong ? Result<double, Failure>(failure(*std::move(wrong))) : turns;
 }
 
 /// The other axes go along in proportion: what they are after a part of the way.

@@ -58,8 +58,8 @@ Vector centre_by_words(const Channel& channel, const Block& block, const Circle&
 /// AR and the end: the centre lies left or right of the chord.
 Result<Vector, Failure> centre_by_opening(const Circle& circle, double degrees) {
   const Vector chord = circle.end - circle.start;
-  if (!(degrees > 0.0 && degrees < 360.0) || chord.norm() == 0.0) {
-    return failure(AlarmId::BadOpeningAngle, fmt::format("AR={:.4f}", degrees));
+  if (!is_opening_angle(degrees) || chord.norm() == 0.0) {
+    return failure(wrong_opening_angle(degrees));
   }
   const double half = degrees / 2.0 * std::numbers::pi / 180.0;
   const double side = circle.turn == Turn::Clockwise ? -1.0 : 1.0;
@@ -75,8 +75,8 @@ MaybeFailure end_by_opening(const Block& block, Circle& circle, AxisPositions& q
     return failure(AlarmId::CircleOverdetermined, "AR, a centre and an end");
   }
   const Vector out = circle.start - circle.centre;
-  if (!(degrees > 0.0 && degrees < 360.0) || out.norm() == 0.0) {
-    return failure(AlarmId::BadOpeningAngle, fmt::format("AR={:.4f}", degrees));
+  if (!is_opening_angle(degrees) || out.norm() == 0.0) {
+    return failure(wrong_opening_angle(degrees));
   }
   const double turned = degrees * std::numbers::pi / 180.0;
   const double side = circle.turn == Turn::Clockwise ? -1.0 : 1.0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -13,13 +14,9 @@ namespace {
 using path::CornerWish;
 using Kind = CornerWish::Kind;
 
-struct CornerWord {
-  Address address;
-  Kind kind;
-};
-constexpr CornerWord kWords[] = {{Address::Rounding, Kind::Rounding},
-                                 {Address::Chamfer, Kind::ChamferLength},
-                                 {Address::ChamferWidth, Kind::ChamferWidth}};
+/// As kCornerWords has their addresses.
+constexpr Kind kKinds[] = {Kind::Rounding, Kind::ChamferLength, Kind::ChamferWidth};
+static_assert(std::size(kKinds) == std::size(kCornerWords));
 
 /// Of the block, or RNDM.
 MaybeFailure take_wish(Channel& channel, const BlockWords& words) {
@@ -30,18 +27,18 @@ MaybeFailure take_wish(Channel& channel, const BlockWords& words) {
   wish.tolerance_mm = path::CornerWish().tolerance_mm;
   wish.mixed_size_mm = 0.0;
   int given = 0;
-  for (const CornerWord& row : kWords) {
-    const BlockWords::Word& word = words[row.address];
+  for (std::size_t i = 0; i < std::size(kCornerWords); ++i) {
+    const BlockWords::Word& word = words[kCornerWords[i]];
     if (!word.present) {
       continue;
     }
     if (++given > 1) {
-      return failure(AlarmId::UnexpectedParameter, "only one of RND, CHF and CHR in a block");
+      return failure(second_corner());
     }
-    if (word.value < 0.0) {
-      return failure(AlarmId::ValueOutOfLimits, fmt::format("{:g}", word.value));
+    if (MaybeFailure wrong = failure(wrong_corner(word.value))) {
+      return wrong;
     }
-    wish.kind = word.value > 0.0 ? row.kind : Kind::Sharp;
+    wish.kind = word.value > 0.0 ? kKinds[i] : Kind::Sharp;
     wish.size_mm = word.value * channel.mm_per_length();
   }
   return std::nullopt;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/code/word_limits.h"
 #include "interpreter/dialects/sinumerik/state/channel.h"
 
 namespace g31::sinumerik {

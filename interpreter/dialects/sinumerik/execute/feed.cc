@@ -158,8 +158,8 @@ Result<double, Failure> programmed_feed(const Channel& channel, const Block& blo
     // A block without a way takes no time: any feed will do.
     return switched(channel, way.length_mm > 0.0 ? way.feed * way.length_mm : way.feed);
   }
-  if (feed <= 0.0) {
-    return failure(AlarmId::NoFeed);
+  if (!is_feed(feed)) {
+    return failure(no_feed());
   }
   if (feed_meaning(type) == FeedMeaning::PerMinute) {
     return switched(channel, feed);

@@ -23,11 +23,10 @@ struct Measuring {
 /// @param trigger  1 to 8, minus: falling edge
 Result<Measuring, Failure> of_trigger(double trigger, machine::AfterSignal after,
                                       std::string_view word) {
-  const double probe = std::abs(trigger);
-  if (probe < 1.0 || probe > Channel::kMostProbes || probe != std::round(probe)) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("{}: {:g}", word, trigger));
+  if (auto wrong = wrong_trigger(word, trigger)) {
+    return failure(*std::move(wrong));
   }
-  return Measuring{static_cast<int>(probe),
+  return Measuring{static_cast<int>(std::abs(trigger)),
                    trigger > 0.0 ? machine::SignalEdge::Rising : machine::SignalEdge::Falling,
                    after, false, 0};
 }
@@ -49,16 +48,15 @@ Result<Measuring, Failure> with_second(Measuring first, double trigger) {
 Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
   const BlockWords::AxisMeasuring* first = nullptr;
   for (const auto& axis : words.axis_measuring) {
-    const int mode = axis ? static_cast<int>(axis->mode) % 10 : 0;
-    if (mode == 0) {
+    if (!axis || !measures(axis->mode)) {
       continue;  // not this axis, or its measuring is broken off
     }
-    if (mode > 3) {
-      return failure(AlarmId::NotImplemented, fmt::format("MEASA, mode {:.0f}", axis->mode));
+    if (auto wrong = wrong_measuring_mode(axis->mode)) {
+      return failure(*std::move(wrong));
     }
     if (first != nullptr && (first->trigger != axis->trigger || first->goes_on != axis->goes_on ||
                              first->second_trigger != axis->second_trigger)) {
-      return failure(AlarmId::MeasuringTwice);
+      return failure(measured_twice());
     }
     first = &*axis;
   }
@@ -86,7 +84,7 @@ Result<std::optional<Measuring>, Failure> measuring_of(const Channel& channel,
       continue;
     }
     if (found.value()) {
-      return failure(AlarmId::MeasuringTwice);
+      return failure(measured_twice());
     }
     const auto of_word = of_trigger(
         words[address].value,
@@ -114,7 +112,7 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
     return move;
   }
   if (channel.group[Group::Motion] != number_in_group("G1")) {
-    return failure(AlarmId::NotImplemented, "MEAS on a circle");
+    return failure(measured_circle());
   }
   const double length = feed_length(channel.path_position(), channel.machine_to_path(move.q_M_end));
   const auto feed = feed_in_force(channel, block, feed_way(channel, block, q_W_end, length));

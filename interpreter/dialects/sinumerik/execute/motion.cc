@@ -266,9 +266,8 @@ MaybeFailure dwell(Channel& channel, const Block& block) {
     }
     seconds = block.words[Address::Speed].value * 60.0 / speed;
   }
-  constexpr double kLongest = 1e9;
-  if (!(seconds >= 0.0 && seconds <= kLongest)) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("G4, {:g} s", seconds));
+  if (MaybeFailure wrong = failure(wrong_dwell(seconds))) {
+    return wrong;
   }
   return pause(channel, {seconds, block.where});
 }

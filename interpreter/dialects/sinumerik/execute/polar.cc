@@ -9,8 +9,6 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr double kMostDegrees = 360.0;
-
 /// What AP and RP say, from what was there before.
 struct Polar {
   double radius = 0.0;
@@ -23,15 +21,13 @@ MaybeFailure take_words(const Channel& channel, const Block& block, Polar& polar
     polar.radius = word.modification == Modification::Incremental ? polar.radius + value : value;
   }
   if (const auto& word = block.words[Address::PolarAngle]; word.present) {
-    if (std::abs(word.value) > kMostDegrees) {
-      return failure(AlarmId::PolarAngle, fmt::format("AP={:g}", word.value));
+    if (MaybeFailure wrong = failure(wrong_polar_angle(word.value))) {
+      return wrong;
     }
     polar.degrees =
         word.modification == Modification::Incremental ? polar.degrees + word.value : word.value;
   }
-  return polar.radius < 0.0
-             ? std::optional(failure(AlarmId::PolarRadius, fmt::format("RP={:g}", polar.radius)))
-             : std::nullopt;
+  return failure(wrong_polar_radius(polar.radius));
 }
 
 void add(const Polar& polar, const Plane& plane, AxisPositions& q) {

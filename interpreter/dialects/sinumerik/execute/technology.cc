@@ -161,8 +161,8 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     }
   }
   if (const auto& angle = words[Address::ThreadAngle]; angle.present) {
-    if (!(angle.value >= 0.0 && angle.value < kFullTurn)) {
-      return failure(AlarmId::ValueOutOfLimits, fmt::format("SF={:g}: 0 to 359.999", angle.value));
+    if (MaybeFailure wrong = failure(wrong_thread_angle(angle.value))) {
+      return wrong;
     }
   }
   if (words.has(Address::SpeedLimit)) {

@@ -20,10 +20,8 @@ constexpr int kFirstOfAdditive = 3;  // behind the tenfold of which its paramete
 Result<int, Failure> named_tool(const Channel& channel, const BlockWords& words) {
   if (!words.tool_name) {
     const double number = words[Address::Tool].value;
-    if (number < 0.0 || number != std::floor(number) || number > 1e8) {
-      return failure(AlarmId::BadTNumber, fmt::format("T{}", number));
-    }
-    return static_cast<int>(number);
+    auto wrong = wrong_tool(number);
+    return wrong ? Result<int, Failure>(failure(*std::move(wrong))) : static_cast<int>(number);
   }
   if (words.tool_name->empty()) {
     return 0;
@@ -50,8 +48,8 @@ MaybeFailure know(Channel& channel, int number) {
 }
 
 MaybeFailure select_edge(Channel& channel, double number) {
-  if (number < 0.0 || number != std::floor(number) || number > 32000.0) {
-    return failure(AlarmId::BadDNumber, fmt::format("D{}", number));
+  if (MaybeFailure wrong = failure(wrong_edge(number))) {
+    return wrong;
   }
   const int edge = static_cast<int>(number);
   const EdgeData* const data = edge != 0 ? channel.find_edge(channel.tool, edge) : nullptr;
@@ -79,7 +77,9 @@ std::array<double, 4> additive_of(const Tool& tool, int edge, int additive) {
 
 /// DL: what $TC_SCP or $TC_ECP has made of the edge in force.
 MaybeFailure select_additive(Channel& channel, double number) {
-  constexpr double kMost = 6.0;
+  if (MaybeFailure wrong = failure(wrong_additive(number))) {
+    return wrong;
+  }
   const Tool* const tool = channel.find_tool(channel.tool);
   const auto is_of_it = [&](const auto& row) {
     return row.first.edge == channel.edge &&
@@ -87,10 +87,9 @@ MaybeFailure select_additive(Channel& channel, double number) {
            (row.first.id == SystemId::AdditiveParameter ||
             row.first.id == SystemId::SetupParameter);
   };
-  const bool is_valid = number == std::floor(number) && number >= 0.0 && number <= kMost;
-  const bool is_there = number == 0.0 || (is_valid && tool != nullptr && channel.edge != 0 &&
+  const bool is_there = number == 0.0 || (tool != nullptr && channel.edge != 0 &&
                                           std::ranges::any_of(tool->more, is_of_it));
-  if (!is_valid || !is_there) {
+  if (!is_there) {
     return failure(AlarmId::NoAdditiveOffset,
                    fmt::format("T{}, D{}, DL={:g}", channel.tool, channel.edge, number));
   }

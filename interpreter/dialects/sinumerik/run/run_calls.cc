@@ -12,8 +12,6 @@ namespace {
 
 using Form = Argument::Form;
 
-constexpr double kMostPasses = 9999.0;
-
 /// Groups that SAVE restores: all but those of one block.
 bool is_saved(Group group) {
   return std::ranges::find(kOneBlockGroups, group) == std::end(kOneBlockGroups);
@@ -85,8 +83,8 @@ MaybeFailure Calls::call(const Op& op) {
     return std::nullopt;
   }
   const double passes = operands_.number(site.passes);
-  if (passes < 0.0 || passes > kMostPasses) {
-    return failure(AlarmId::BadRepeats, fmt::format("P{:.0f}", passes));
+  if (MaybeFailure wrong = failure(wrong_passes(passes))) {
+    return wrong;
   }
   if (passes == 0.0) {
     return std::nullopt;

@@ -86,8 +86,8 @@ std::string name_of(const Op& op) {
 MaybeFailure bounded(Operands& at, const Op& op, Arguments list) {
   const double low = at.number(list[0].value);
   const double high = at.number(list[1].value);
-  if (low > high) {
-    return failure(AlarmId::BadArguments, "BOUND: the lower limit is above the upper one");
+  if (MaybeFailure wrong = failure(wrong_bounds(low, high))) {
+    return wrong;
   }
   at.number(op.result) = std::clamp(at.number(list[2].value), low, high);
   return std::nullopt;

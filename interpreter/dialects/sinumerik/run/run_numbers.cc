@@ -26,8 +26,7 @@ std::int32_t bits(double number) {
 /// result = value, which must be a number.
 bool StepMachine::take(const Op& op, double value) {
   if (!std::isfinite(value)) [[unlikely]] {
-    return fault_.keep(AlarmId::ArithmeticError,
-                       number(op.b) == 0.0 ? "division by zero" : "too large");
+    return fault_.keep(no_number(number(op.b)));
   }
   number(op.result) = value;
   return true;
@@ -170,8 +169,7 @@ bool StepMachine::mathematical_step(const Op& op) {
   const double a = number(op.a);
   const auto value = mathematics(id, a, number(op.b));
   if (!value) {
-    return fault_.keep(AlarmId::ArithmeticError,
-                       fmt::format("{} of {}", info(id).name, shown(Type::Real, a)));
+    return fault_.keep(undefined_at(id, a));
   }
   number(op.result) = *value;
   return true;

@@ -6,11 +6,6 @@
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
-bool WordSteps::out_of_range(std::string_view name, double value, const ValueRange& range) {
-  return fault_.keep(AlarmId::ValueOutOfLimits,
-                     fmt::format("{}={:g}: {:g} to {:g}", name, value, range.least, range.most));
-}
-
 bool WordSteps::set_word(std::size_t address, double value, Modification modification) {
   const auto which = static_cast<Address>(address);
   const int most = most_in_block(which);
@@ -19,7 +14,7 @@ bool WordSteps::set_word(std::size_t address, double value, Modification modific
                        std::string(name_of(which)));
   }
   if (const ValueRange range = range_of(which); !range.holds(value)) [[unlikely]] {
-    return out_of_range(name_of(which), value, range);
+    return fault_.keep(out_of_range(name_of(which), value, range));
   }
   if (which == Address::Machine) {
     words_.machine_codes[words_.machine_code_count++] = value;
@@ -63,8 +58,7 @@ MaybeFailure WordSteps::take_axis_word(const Op& op) {
                        fmt::format("{}[{}]", row.name, letter_of_axis(static_cast<int>(axis))));
       }
       if (!ValueRange().holds(word.value)) {
-        out_of_range(row.name, word.value, ValueRange());
-        return fault_.taken();
+        return failure(out_of_range(row.name, word.value, ValueRange()));
       }
       words_.position_axis(index, word);
       return std::nullopt;
@@ -87,19 +81,15 @@ MaybeFailure WordSteps::take_centre_of(int axis, const BlockWords::Word& word) {
 
 MaybeFailure WordSteps::take_axis_setting(const BlockWords::AxisSetting& setting) {
   const AxisWordInfo& row = info(setting.word);
-  const std::string name = fmt::format("{}[{}]", row.name, letter_of_axis(setting.axis));
-  const std::string shown = fmt::format("{}={:g}", name, setting.value);
   for (const BlockWords::AxisSetting& known : words_.axis_settings) {
     if (known.word == setting.word && known.axis == setting.axis) {
-      return failure(AlarmId::AddressRepeated, shown);
+      return failure(
+          AlarmId::AddressRepeated,
+          fmt::format("{}[{}]={:g}", row.name, letter_of_axis(setting.axis), setting.value));
     }
   }
-  if (setting.word == AxisWordId::AxisFeed && setting.value < 0.0) {
-    return failure(AlarmId::NegativeAxisFeed, shown);
-  }
-  if (const ValueRange range{row.least, row.most}; !range.holds(setting.value)) {
-    out_of_range(name, setting.value, range);
-    return fault_.taken();
+  if (MaybeFailure wrong = failure(wrong_axis_setting(row, setting.axis, setting.value))) {
+    return wrong;
   }
   words_.axis_settings.push_back(setting);
   return std::nullopt;

@@ -103,8 +103,8 @@ MaybeFailure Runner::repeat_part(const Op& op) {
     return failure(AlarmId::SectionMissing);
   }
   const double passes = operands_.number(op.b);
-  if (passes < 0.0 || passes > 9999.0) {
-    return failure(AlarmId::BadRepeats, fmt::format("P{:.0f}", passes));
+  if (MaybeFailure wrong = failure(wrong_passes(passes))) {
+    return wrong;
   }
   if (passes >= 1.0) {
     now.parts.push_back({op.a.place, site.end, now.step, static_cast<std::int32_t>(passes)});

@@ -14,7 +14,7 @@ class StepFault {
  public:
   /// Keeps the reason; @returns false, for the way out.
   bool keep(AlarmId id, std::string detail = {}) { return keep(failure(id, std::move(detail))); }
-  bool keep(WrongValue wrong) { return keep(wrong.id, std::move(wrong.detail)); }
+  bool keep(WrongValue wrong) { return keep(failure(std::move(wrong))); }
   bool keep(Failure reason) {
     reason_ = std::move(reason);
     return false;

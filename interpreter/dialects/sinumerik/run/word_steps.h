@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string_view>
-
+#include "interpreter/dialects/sinumerik/code/word_limits.h"
 #include "interpreter/dialects/sinumerik/run/operands.h"
 #include "interpreter/dialects/sinumerik/run/step_fault.h"
 
@@ -30,7 +29,6 @@ class WordSteps {
  private:
   MaybeFailure take_centre_of(int axis, const BlockWords::Word& word);
   MaybeFailure take_axis_setting(const BlockWords::AxisSetting& setting);
-  bool out_of_range(std::string_view name, double value, const ValueRange& range);
   bool set_word(std::size_t address, double value, Modification modification = Modification::None);
 
   Operands& operands_;

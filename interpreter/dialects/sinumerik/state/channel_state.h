@@ -121,7 +121,7 @@ struct ChannelState {
   Eigen::Vector3d along_P_end = Eigen::Vector3d::Zero();
 
   // Measuring
-  static constexpr int kMostProbes = 8;
+  static constexpr int kMostProbes = sinumerik::kMostProbes;
   AxisPositions q_M_measured = AxisPositions::Zero();
   AxisPositions q_W_measured = AxisPositions::Zero();
   AxisPositions q_M_second = AxisPositions::Zero();  ///< of the second trigger

@@ -3,7 +3,9 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
 #include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/budget_spent.h"
@@ -42,6 +44,14 @@ inline Failure failure(AlarmId id, std::string detail = {}) {
   reason.id = id;
   reason.detail = std::move(detail);
   return reason;
+}
+
+/// Of a value that cannot stand where it stands.
+inline Failure failure(WrongValue wrong) {
+  return failure(wrong.id, std::move(wrong.detail));
+}
+inline MaybeFailure failure(std::optional<WrongValue> wrong) {
+  return wrong ? MaybeFailure(failure(*std::move(wrong))) : std::nullopt;
 }
 
 /// The alarm of a control that is called a tool which the set-up sheet has not.

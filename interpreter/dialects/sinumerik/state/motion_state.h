@@ -83,7 +83,7 @@ struct WorkingArea {
 
 /// Points that the machine's builder has set, machine coordinates.
 struct MachinePoints {
-  static constexpr int kFixedPoints = 4;
+  static constexpr int kFixedPoints = sinumerik::kFixedPoints;
   AxisPositions q_M_reference = AxisPositions::Zero();
   std::array<AxisPositions, kFixedPoints> q_M_fixed = {
       AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};

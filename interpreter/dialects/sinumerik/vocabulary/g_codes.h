@@ -26,6 +26,11 @@ enum class GAction : std::uint8_t {
   Refused,
 };
 
+/// Whether a code takes the words of its block for something else than a motion of the path.
+constexpr bool takes_words(GAction action) {
+  return action != GAction::Modal && action != GAction::OneBlock && action != GAction::Refused;
+}
+
 /// Groups of codes; the value is the number of $P_GG.
 enum class Group : std::uint8_t {
 #define G_GROUP(name, number, text) name = number,

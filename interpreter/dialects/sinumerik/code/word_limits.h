@@ -1,0 +1,71 @@
+#pragma once
+
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
+
+// What words take, whatever the channel's state: the same for a run and for who looks at words
+// without running, as value_limits.h.  Each function says nullopt of what is right.
+
+namespace g31::sinumerik {
+
+using MaybeWrong = std::optional<WrongValue>;
+
+/// Of a value that the range does not hold.
+WrongValue out_of_range(std::string_view name, double value, const ValueRange& range);
+/// FA[axis], ACC[axis] and the like.
+MaybeWrong wrong_axis_setting(const AxisWordInfo& row, int axis, double value);
+
+/// Words that count only with 0.
+inline constexpr Address kOnlyZero[] = {Address::Conic, Address::NormalOffset};
+/// Of another value.
+WrongValue only_zero(Address address, double value);
+
+/// T as a number.
+MaybeWrong wrong_tool(double number);
+/// D
+MaybeWrong wrong_edge(double number);
+/// DL
+MaybeWrong wrong_additive(double number);
+/// SF
+MaybeWrong wrong_thread_angle(double degrees);
+
+/// F of a motion.
+constexpr bool is_feed(double feed) {
+  return !(feed <= 0.0);
+}
+WrongValue no_feed();
+/// G4
+MaybeWrong wrong_dwell(double seconds);
+/// FP
+MaybeWrong wrong_fixed_point(double number);
+
+inline constexpr Address kCornerWords[] = {Address::Rounding, Address::Chamfer,
+                                           Address::ChamferWidth};
+MaybeWrong wrong_corner(double size);
+/// Of a second one of them in a block.
+WrongValue second_corner();
+
+/// AP
+MaybeWrong wrong_polar_angle(double degrees);
+/// RP, mm
+MaybeWrong wrong_polar_radius(double radius);
+/// TURN
+MaybeWrong wrong_turns(double turns);
+/// AR
+constexpr bool is_opening_angle(double degrees) {
+  return degrees > 0.0 && degrees < 360.0;
+}
+WrongValue wrong_opening_angle(double degrees);
+
+/// MEAS, MEAW, MEASA
+MaybeWrong wrong_trigger(std::string_view word, double trigger);
+/// Whether a mode of MEASA measures at all: 0 breaks off.
+constexpr bool measures(double mode) {
+  return static_cast<int>(mode) % 10 != 0;
+}
+MaybeWrong wrong_measuring_mode(double mode);
+/// Of two words that measure in a block.
+WrongValue measured_twice();
+/// Of one that measures beside another motion than G0 and G1.
+WrongValue measured_circle();
+
+}  // namespace g31::sinumerik
