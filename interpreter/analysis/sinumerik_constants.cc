@@ -1,6 +1,6 @@
 #include "interpreter/analysis/sinumerik_constants.h"
 
-#include <cstddef>
+#include <cmath>
 #include <string>
 
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
@@ -10,86 +10,168 @@ namespace {
 
 using sinumerik::AlarmId;
 using sinumerik::Bank;
+using sinumerik::FunctionId;
 using sinumerik::Op;
 using sinumerik::OpCode;
 using sinumerik::Operand;
 using sinumerik::Type;
-using sinumerik::WrongValue;
-using Wrong = std::optional<WrongValue>;
 
-class Constants {
- public:
-  explicit Constants(const sinumerik::CompiledProgram& program) : program_(program) {}
+bool divides(OpCode code) {
+  return code == OpCode::Divide || code == OpCode::DivideWhole || code == OpCode::Modulo;
+}
 
-  [[nodiscard]] Wrong whole(Type type, Operand operand, AlarmId alarm) const {
-    const auto value = number(operand);
-    return value && !fits(type, sinumerik::rounded(*value))
-               ? Wrong(not_of_type(type, *value, alarm))
-               : std::nullopt;
-  }
-  [[nodiscard]] Wrong limits(const Op& step) const {
-    const auto value = number(step.a);
-    return value ? beyond_limits(variable(step), *value) : std::nullopt;
-  }
-  [[nodiscard]] Wrong index(const Op& step) const {
-    const auto value = number(step.a);
-    const sinumerik::Variable& array = variable(step);
-    // The caller says how large the array of a VAR parameter is.
-    if (!value || array.storage == sinumerik::Storage::Reference) {
-      return std::nullopt;
-    }
-    const double place = sinumerik::rounded(*value);
-    const int size = array.shape.size[step.detail];
-    return place >= 0.0 && place < size ? std::nullopt
-                                        : Wrong(no_such_index(array, step.detail, place, size));
-  }
-  [[nodiscard]] Wrong text(const Op& step) const {
-    const sinumerik::Variable& into = variable(step);
-    if (step.result.bank != Bank::Constants || into.storage == sinumerik::Storage::Reference) {
-      return std::nullopt;
-    }
-    const std::string& value = program_.text_constants[static_cast<std::size_t>(step.result.place)];
-    return sinumerik::too_long(value.substr(0, value.find('\0')), into.longest);
-  }
-  [[nodiscard]] Wrong division(const Op& step) const {
-    return number(step.b) == 0.0 ? Wrong(WrongValue{AlarmId::ArithmeticError, "division by zero"})
-                                 : std::nullopt;
-  }
+bool calculates(OpCode code) {
+  return divides(code) || code == OpCode::Add || code == OpCode::Subtract ||
+         code == OpCode::Multiply;
+}
 
- private:
-  [[nodiscard]] std::optional<double> number(Operand operand) const {
-    return operand.bank == Bank::Constants
-               ? std::optional(program_.constants[static_cast<std::size_t>(operand.place)])
-               : std::nullopt;
-  }
-  [[nodiscard]] const sinumerik::Variable& variable(const Op& step) const {
-    return program_.variables[static_cast<std::size_t>(step.b.place)];
-  }
+/// @param code  one that calculates
+double calculated(OpCode code, double a, double b) {
+  return code == OpCode::Add           ? a + b
+         : code == OpCode::Subtract    ? a - b
+         : code == OpCode::Multiply    ? a * b
+         : code == OpCode::Divide      ? a / b
+         : code == OpCode::DivideWhole ? std::trunc(a / b)
+                                       : std::fmod(a, b);
+}
 
-  const sinumerik::CompiledProgram& program_;
-};
+bool is_of_two(FunctionId id) {
+  return sinumerik::info(id).parameters.size() > 1;
+}
 
 }  // namespace
 
-Wrong wrong_constant(const sinumerik::CompiledProgram& program, const Op& step) {
-  const Constants constants(program);
+WrongStep SinumerikConstants::look_at(const Op& step) {
+  if (step.code == OpCode::Block) {
+    temporaries_ = {};
+  }
+  auto wrong = wrong_in(step);
+  if (step.result.bank == Bank::Temporaries) {
+    temporaries_.at(static_cast<std::size_t>(step.result.place)) =
+        wrong ? std::nullopt : result_of(step);
+  }
+  return wrong;
+}
+
+std::optional<double> SinumerikConstants::number(Operand operand) const {
+  const auto place = static_cast<std::size_t>(operand.place);
+  if (operand.bank == Bank::Constants) {
+    // An operand that a step does not have is constant 0, of which there may be none.
+    return place < program_.constants.size() ? std::optional(program_.constants[place])
+                                             : std::nullopt;
+  }
+  return operand.bank == Bank::Temporaries ? temporaries_.at(place) : std::nullopt;
+}
+
+WrongStep SinumerikConstants::wrong_in(const Op& step) const {
   const OpCode code = step.code;
   if (code == OpCode::ToInt || code == OpCode::ToChar) {
-    return constants.whole(code == OpCode::ToInt ? Type::Int : Type::Char, step.a,
-                           AlarmId::BadConversion);
+    return whole(code == OpCode::ToInt ? Type::Int : Type::Char, step.a, AlarmId::BadConversion);
   }
-  if (code == OpCode::CheckLimits) {
-    return constants.limits(step);
+  if (code == OpCode::CheckInt) {
+    return whole(Type::Int, step.a, AlarmId::ArithmeticError);
   }
-  if (code == OpCode::Index) {
-    return constants.index(step);
+  return code == OpCode::CheckLimits                          ? limits(step)
+         : code == OpCode::Index                              ? index(step)
+         : code == OpCode::StoreText                          ? text(step)
+         : code == OpCode::Math || code == OpCode::Function   ? function(step)
+         : code == OpCode::Call || code == OpCode::RepeatPart ? passes(step)
+                                                              : operation(step);
+}
+
+WrongStep SinumerikConstants::whole(Type type, Operand operand, AlarmId alarm) const {
+  const auto value = number(operand);
+  return value && !fits(type, sinumerik::rounded(*value))
+             ? WrongStep(not_of_type(type, *value, alarm))
+             : std::nullopt;
+}
+
+WrongStep SinumerikConstants::limits(const Op& step) const {
+  const auto value = number(step.a);
+  return value ? beyond_limits(variable(step), *value) : std::nullopt;
+}
+
+WrongStep SinumerikConstants::index(const Op& step) const {
+  const auto value = number(step.a);
+  const sinumerik::Variable& array = variable(step);
+  // The caller says how large the array of a VAR parameter is.
+  if (!value || array.storage == sinumerik::Storage::Reference) {
+    return std::nullopt;
   }
-  if (code == OpCode::StoreText) {
-    return constants.text(step);
+  const double place = sinumerik::rounded(*value);
+  const int size = array.shape.size[step.detail];
+  return place >= 0.0 && place < size ? std::nullopt
+                                      : WrongStep(no_such_index(array, step.detail, place, size));
+}
+
+WrongStep SinumerikConstants::text(const Op& step) const {
+  const sinumerik::Variable& into = variable(step);
+  if (step.result.bank != Bank::Constants || into.storage == sinumerik::Storage::Reference) {
+    return std::nullopt;
   }
-  const bool divides =
-      code == OpCode::Divide || code == OpCode::DivideWhole || code == OpCode::Modulo;
-  return divides ? constants.division(step) : std::nullopt;
+  const std::string& value = program_.text_constants[static_cast<std::size_t>(step.result.place)];
+  return sinumerik::too_long(value.substr(0, value.find('\0')), into.longest);
+}
+
+WrongStep SinumerikConstants::operation(const Op& step) const {
+  const auto a = number(step.a);
+  const auto b = number(step.b);
+  if (!calculates(step.code) || !b || (!a && !(divides(step.code) && *b == 0.0))) {
+    return std::nullopt;
+  }
+  return std::isfinite(calculated(step.code, a.value_or(1.0), *b))
+             ? std::nullopt
+             : WrongStep(sinumerik::no_number(*b));
+}
+
+WrongStep SinumerikConstants::function(const Op& step) const {
+  const auto id = static_cast<FunctionId>(step.detail);
+  if (step.code == OpCode::Math) {
+    const auto a = number(step.a);
+    const auto b = is_of_two(id) ? number(step.b) : std::optional(0.0);
+    return a && b && !sinumerik::mathematics(id, *a, *b)
+               ? WrongStep(sinumerik::undefined_at(id, *a))
+               : std::nullopt;
+  }
+  if (id != FunctionId::BOUND) {
+    return std::nullopt;
+  }
+  const auto first = static_cast<std::size_t>(step.b.place);
+  const auto low = number(program_.arguments[first].value);
+  const auto high = number(program_.arguments[first + 1].value);
+  return low && high ? sinumerik::wrong_bounds(*low, *high) : std::nullopt;
+}
+
+WrongStep SinumerikConstants::passes(const Op& step) const {
+  if (step.code == OpCode::RepeatPart) {
+    const auto given = number(step.b);
+    return given ? sinumerik::wrong_passes(*given) : std::nullopt;
+  }
+  const sinumerik::CallSite& site = program_.calls[static_cast<std::size_t>(step.a.place)];
+  const auto given = site.is_modal ? std::nullopt : number(site.passes);
+  return given ? sinumerik::wrong_passes(*given) : std::nullopt;
+}
+
+/// nullopt also of operations whose result nobody is to know here, as of comparisons.
+std::optional<double> SinumerikConstants::result_of(const Op& step) const {
+  const auto a = number(step.a);
+  const auto b = number(step.b);
+  const OpCode code = step.code;
+  if (!a) {
+    return std::nullopt;
+  }
+  if (code == OpCode::Move || code == OpCode::Negate) {
+    return code == OpCode::Move ? *a : -*a;
+  }
+  if (code == OpCode::CheckInt || code == OpCode::ToInt || code == OpCode::ToChar) {
+    return sinumerik::rounded(*a);
+  }
+  const bool is_function = code == OpCode::Math;
+  const auto id = static_cast<FunctionId>(step.detail);
+  if (is_function && (b || !is_of_two(id))) {
+    return sinumerik::mathematics(id, *a, b.value_or(0.0));
+  }
+  return b && calculates(code) ? std::optional(calculated(code, *a, *b)) : std::nullopt;
 }
 
 }  // namespace g31::analysis

@@ -12,8 +12,8 @@
 
 #include "interpreter/analysis/flow_builder.h"
 #include "interpreter/analysis/sinumerik_accesses.h"
-#include "interpreter/analysis/sinumerik_constants.h"
 #include "interpreter/analysis/sinumerik_moves.h"
+#include "interpreter/analysis/sinumerik_words.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
@@ -52,7 +52,8 @@ class SinumerikTranslation {
   using Op = sinumerik::Op;
   using OpCode = sinumerik::OpCode;
 
-  explicit SinumerikTranslation(const sinumerik::CompiledProgram& program) : program_(program) {}
+  explicit SinumerikTranslation(const sinumerik::CompiledProgram& program)
+      : program_(program), wrong_(wrong_steps(program)) {}
 
   Flow run();
 
@@ -70,6 +71,7 @@ class SinumerikTranslation {
   void repeat_part(StepIndex step);
   void call(const sinumerik::CallSite& site, syntax::ShortSpan where);
   void stop(AlarmId id, syntax::ShortSpan where, const std::string& detail);
+  void stop_for_constant(StepIndex step);
   void close_parts();
   void add_edge(Draft& draft, Edge edge);
   std::map<BlockIndex, std::vector<std::string>> label_names() const;
@@ -86,6 +88,7 @@ class SinumerikTranslation {
   Draft& now() { return drafts_[now_]; }
 
   const sinumerik::CompiledProgram& program_;
+  WrongSteps wrong_;
   std::vector<Draft> drafts_;
   std::vector<BlockIndex> block_of_;  ///< of each step
   std::vector<RepeatedPart> parts_;
@@ -163,8 +166,11 @@ void SinumerikTranslation::follow(StepIndex step) {
     } else {
       stop(error.id, span(step), error.detail);
     }
-  } else if (const auto wrong = wrong_constant(program_, here)) {
-    stop(wrong->id, span(step), wrong->detail);
+  } else if (wrong_.contains(step)) {
+    if (code == OpCode::Call) {
+      call(program_.calls[static_cast<std::size_t>(here.a.place)], span(step));
+    }
+    stop_for_constant(step);
   } else if (code == OpCode::EndProgram) {
     const bool is_end_of_text = step + 1 == static_cast<StepIndex>(program_.ops.size());
     (is_end_of_text ? now().leaves.by_return : now().leaves.by_end) = true;
@@ -197,6 +203,11 @@ void SinumerikTranslation::stop(AlarmId id, syntax::ShortSpan where, const std::
        detail.empty() ? std::string(row.text) : fmt::format("{}: {}", row.text, detail),
        std::string(row.remedy),
        id == AlarmId::JumpTargetMissing ? other_direction(detail, where) : std::nullopt});
+}
+
+void SinumerikTranslation::stop_for_constant(StepIndex step) {
+  const sinumerik::WrongValue& wrong = wrong_.at(step);
+  stop(wrong.id, span(step), wrong.detail);
 }
 
 void SinumerikTranslation::jump_if_not(StepIndex step) {
@@ -258,6 +269,10 @@ void SinumerikTranslation::repeat_part(StepIndex step) {
   const auto& site = program_.repeats[static_cast<std::size_t>(op(step).a.place)];
   if (site.first < 0) {
     stop(AlarmId::SectionMissing, span(step), "");
+    return;
+  }
+  if (wrong_.contains(step)) {
+    stop_for_constant(step);
     return;
   }
   go(site.first, EdgeKind::Part);

@@ -44,11 +44,19 @@ std::string fanuc_program(const std::string& block) {
   return fmt::format("O1\n{}\nM30\nO2\nM99\n", block);
 }
 
+std::string sinumerik_program(const std::string& block) {
+  return fmt::format("; PART\n{}\nM30\n", block);
+}
+
+constexpr const char* kSinumerik = "sinumerik-828d";
+
 void expect_both_say(const std::string& control, const std::vector<Row>& rows) {
   const TemporaryFolder folder;
   for (const Row& row : rows) {
     SCOPED_TRACE(control + ": " + row.block);
-    const std::string file = folder.write("case.nc", fanuc_program(row.block));
+    const std::string file = control == kSinumerik
+                                 ? folder.write("CASE.MPF", sinumerik_program(row.block))
+                                 : folder.write("case.nc", fanuc_program(row.block));
     EXPECT_EQ(said_by_check(file, control), row.said);
     EXPECT_EQ(said_by_run(file, control), row.said);
   }
@@ -131,6 +139,106 @@ TEST(CheckWords, EachControlHasItsOwnLimits) {
                             "negative"},
                            {"G154 P301", "6 30 ILLEGAL OFFSET NUMBER: G154 has P1 to P300"}});
   expect_both_say("fanuc-30i", {{"G51 P-1.5", "1 142 ILLEGAL SCALE RATE: the factor is -1.5"}});
+}
+
+TEST(CheckWords, ConstantsOfSinumerikExpressionsAreToldAsARunTellsThem) {
+  expect_both_say(
+      kSinumerik,
+      {
+          {"R1=5/(3-3)", "4 14051 arithmetic error in part program: division by zero"},
+          {"R1=(R2-1) MOD (2-2)", "4 14051 arithmetic error in part program: division by zero"},
+          {"R1=SQRT(-1)", "4 14051 arithmetic error in part program: SQRT of -1"},
+          {"R1=SQRT(3-4)", "4 14051 arithmetic error in part program: SQRT of -1"},
+          {"R1=LN(0)", "4 14051 arithmetic error in part program: LN of 0"},
+          {"R1=ASIN(2)", "4 14051 arithmetic error in part program: ASIN of 2"},
+          {"R1=TAN(90)", "4 14051 arithmetic error in part program: TAN of 90"},
+          {"R1=EXP(9999)", "4 14051 arithmetic error in part program: EXP of 9999"},
+          {"R1=2147483647+1", "4 14051 arithmetic error in part program: 2147483648 is not INT"},
+          {"R1=BOUND(5,1,3)",
+           "4 12030 invalid arguments or data types: BOUND: the lower limit is "
+           "above the upper one"},
+          {"R1=R[1000+1]", "6 17020 illegal array index 1: R[1001] of 1000"},
+          {"A1: REPEATB A1 P=-1", "1 14013 number of subroutine passes invalid: P-1"},
+      });
+}
+
+TEST(CheckWords, WordsOfSinumerikBlocksAreToldAsARunTellsThem) {
+  expect_both_say(
+      kSinumerik,
+      {
+          {"T-5", "1 17190 illegal T number: T-5"},
+          {"T=1-2", "1 17190 illegal T number: T-1"},
+          {"T1.5", "1 17190 illegal T number: T1.5"},
+          {"D-1", "1 14090 invalid D number: D-1"},
+          {"D32001", "1 14090 invalid D number: D32001"},
+          {"DL=7", "1 17182 illegal sum correction number: DL=7"},
+          {"G1 X1 F-9", "1 10860 feedrate not programmed"},
+          {"G1 X1 F0", "1 10860 feedrate not programmed"},
+          {"G4 F-1", "1 12560 programmed value exceeds allowed limits: G4, -1 s"},
+          {"G75 FP=9 X0", "1 12560 programmed value exceeds allowed limits: FP=9"},
+          {"SF=400", "1 12560 programmed value exceeds allowed limits: SF=400: 0 to 359.999"},
+          {"OVR=201", "1 12560 programmed value exceeds allowed limits: OVR=201: 1 to 200"},
+          {"FA[X]=-1", "1 14810 negative axis velocity programmed for positioning axis: FA[X]=-1"},
+          {"ACC[X]=300", "1 12560 programmed value exceeds allowed limits: ACC[X]=300: 1 to 200"},
+          {"G1 X1 RND=-1 F100", "1 12560 programmed value exceeds allowed limits: -1"},
+          {"G1 X1 RND=1 CHF=1 F100",
+           "1 12090 parameter not expected: only one of RND, CHF and CHR "
+           "in a block"},
+          {"G1 AP=400 RP=5 F100", "1 14210 polar angle too large: AP=400"},
+          {"G1 AP=10 RP=-5 F100", "1 14200 negative polar radius: RP=-5"},
+          {"G110 AP=400 RP=5", "1 14210 polar angle too large: AP=400"},
+          {"OFFN=1", "1 12140 functionality not implemented: OFFN=1"},
+          {"DISC=50", "1 12140 functionality not implemented: DISC=50"},
+      });
+}
+
+TEST(CheckWords, WordsOfMeasuringAndOfCirclesAreToldAsARunTellsThem) {
+  expect_both_say(
+      kSinumerik,
+      {
+          {"G1 X1 MEAS=9 F100", "1 12560 programmed value exceeds allowed limits: MEAS: 9"},
+          {"G1 X1 MEAW=0 F100", "1 12560 programmed value exceeds allowed limits: MEAS: 0"},
+          {"G1 MEASA[X]=(1,9) X1 F100",
+           "1 12560 programmed value exceeds allowed limits: MEASA: 9"},
+          {"G1 MEASA[X]=(4,1) X1 F100", "1 12140 functionality not implemented: MEASA, mode 4"},
+          {"G1 MEAS=1 MEAW=1 X1 F100", "1 21701 measurement not possible"},
+          {"G1 MEAS=1 MEASA[X]=(1,1) X1 F100", "1 21701 measurement not possible"},
+          {"G2 X1 CR=1 MEAS=1 F100", "1 12140 functionality not implemented: MEAS on a circle"},
+          {"G2 X0 Y0 I5 TURN=-1 F100", "1 12560 programmed value exceeds allowed limits: TURN=-1"},
+          {"G2 X0 Y0 I5 TURN=1.5 F100",
+           "1 12560 programmed value exceeds allowed limits: TURN=1.5"},
+          {"G3 X10 AR=360 F100",
+           "1 14910 invalid angle of aperture for programmed circle: AR=360.0000"},
+      });
+}
+
+TEST(CheckWords, WhatMayBeRightOnASinumerikPassesWithoutAWord) {
+  const TemporaryFolder folder;
+  for (const char* const block : {
+           "T=R1 D=R2 DL=R3",
+           "T=\"MILL\"",
+           "F-9",
+           "G1 X1 FB=5 F0",
+           "X1 F0",
+           "G4 S-1",
+           "G4 F1 MEAS=9",
+           "TRANS X1 AP=400",
+           "FP=9",
+           "TURN=-1",
+           "G2 X10 AR=360 CR=5 F100",
+           "G1 RP=IC(-5) AP=10 F100",
+           "G1 MEASA[X]=(0,9) X1 F100",
+           "G1 MEASA[X]=(R1,R2) X1 F100",
+           "R1=5/(R2-R2)",
+           "R1=SQRT(R2) R3=ASIN(R4)",
+           "R1=2147483647.0+1",
+           "R1=BOUND(1,1,3)",
+           "FA[X]=R1 OVR=R2",
+           "DISC=0 OFFN=0",
+       }) {
+    SCOPED_TRACE(block);
+    EXPECT_EQ(testing::g31({"check", folder.write("CASE.MPF", sinumerik_program(block))}).out, "");
+  }
 }
 
 TEST(CheckWords, WhatMayBeRightPassesWithoutAWord) {
