@@ -199,6 +199,20 @@ std::optional<WrongConstant> wrong_words(const fanuc::CompiledProgram& program,
   return std::nullopt;
 }
 
+std::optional<WrongConstant> wrong_format(const fanuc::CompiledProgram& program,
+                                          const fanuc::Step& step, const fanuc::Profile& profile) {
+  const auto statement = static_cast<fanuc::OutputStatement>(step.number);
+  if (fanuc::info(statement).has_format == fanuc::HasFormat::No) {
+    return std::nullopt;
+  }
+  const syntax::ShortSpan format = program.tree->blocks[step.block].text;
+  const auto items = fanuc::parse_output_format(
+      program.file->text().substr(format.begin, format.end - format.begin));
+  auto wrong =
+      items.ok() ? fanuc::wrong_output(statement, profile.output, items.value()) : std::nullopt;
+  return wrong ? std::optional(WrongConstant{*std::move(wrong), format}) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<WrongConstant> wrong_constant(const fanuc::CompiledProgram& program,
@@ -216,10 +230,11 @@ std::optional<WrongConstant> wrong_constant(const fanuc::CompiledProgram& progra
       return step.jump == kNone ? constants.look_at(step.value) : std::nullopt;
     case BlockKind::Nc:
       return wrong_words(program, step, profile, constants);
+    case BlockKind::Output:
+      return wrong_format(program, step, profile);
     case BlockKind::Empty:
     case BlockKind::Do:
     case BlockKind::End:
-    case BlockKind::Output:
     case BlockKind::SetNames:
     case BlockKind::Bad:
       break;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "interpreter/dialects/sinumerik/code/word_limits.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 
 namespace g31::analysis {
@@ -76,6 +77,8 @@ WrongStep SinumerikConstants::wrong_in(const Op& step) const {
          : code == OpCode::StoreText                          ? text(step)
          : code == OpCode::Math || code == OpCode::Function   ? function(step)
          : code == OpCode::Call || code == OpCode::RepeatPart ? passes(step)
+         : code == OpCode::Procedure                          ? procedure(step)
+         : code == OpCode::SynchronisedAction                 ? action(step)
                                                               : operation(step);
 }
 
@@ -150,6 +153,28 @@ WrongStep SinumerikConstants::passes(const Op& step) const {
   const sinumerik::CallSite& site = program_.calls[static_cast<std::size_t>(step.a.place)];
   const auto given = site.is_modal ? std::nullopt : number(site.passes);
   return given ? sinumerik::wrong_passes(*given) : std::nullopt;
+}
+
+/// SETAL and SETMS.
+WrongStep SinumerikConstants::procedure(const Op& step) const {
+  const auto id = static_cast<sinumerik::ProcedureId>(step.detail);
+  const auto given = step.count > 0
+                         ? number(program_.arguments[static_cast<std::size_t>(step.b.place)].value)
+                         : std::nullopt;
+  if (!given) {
+    return std::nullopt;
+  }
+  return id == sinumerik::ProcedureId::SETAL
+             ? sinumerik::wrong_alarm_number(sinumerik::rounded(*given))
+         : id == sinumerik::ProcedureId::SETMS ? sinumerik::wrong_master_spindle(*given)
+                                               : std::nullopt;
+}
+
+/// ID.
+WrongStep SinumerikConstants::action(const Op& step) const {
+  const auto scope = static_cast<sinumerik::ActionScope>(step.detail % sinumerik::kActionScopes);
+  const auto given = scope == sinumerik::ActionScope::NextBlock ? std::nullopt : number(step.a);
+  return given ? sinumerik::wrong_action_number(*given) : std::nullopt;
 }
 
 /// nullopt also of operations whose result nobody is to know here, as of comparisons.

@@ -36,6 +36,8 @@ class SinumerikConstants {
   [[nodiscard]] WrongStep operation(const sinumerik::Op& step) const;
   [[nodiscard]] WrongStep function(const sinumerik::Op& step) const;
   [[nodiscard]] WrongStep passes(const sinumerik::Op& step) const;
+  [[nodiscard]] WrongStep procedure(const sinumerik::Op& step) const;
+  [[nodiscard]] WrongStep action(const sinumerik::Op& step) const;
   [[nodiscard]] std::optional<double> result_of(const sinumerik::Op& step) const;
   [[nodiscard]] const sinumerik::Variable& variable(const sinumerik::Op& step) const {
     return program_.variables[static_cast<std::size_t>(step.b.place)];

@@ -268,8 +268,8 @@ WrongStep JudgedWords::circle() const {
 
 /// F of a line that the block itself commands.
 WrongStep JudgedWords::feed() const {
-  constexpr Address kOthers[] = {Address::BlockFeed, Address::ToothFeed, Address::Angle};
-  const auto given = value(Address::Feed);
+  constexpr Address kOthers[] = {Address::ToothFeed, Address::Angle};
+  const auto given = value(stands(Address::BlockFeed) ? Address::BlockFeed : Address::Feed);
   const bool is_other =
       std::ranges::any_of(kOthers, [this](Address address) { return stands(address); });
   return given && !is_other && has_axis() && motion() == number_in_group("G1") &&

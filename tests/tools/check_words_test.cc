@@ -125,6 +125,8 @@ TEST(CheckWords, NumbersOfCallsAreToldAsARunTellsThem) {
                       {"M98 P2 L1.5", "8 7 ILLEGAL USE OF DECIMAL POINT: L takes an integer"},
                       {"M98 P2 F-9", "8 6 ILLEGAL USE OF MINUS SIGN: a feed cannot be negative"},
                       {"M99 P1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: P takes an integer"},
+                      {"DPRNT[#1[99]]",
+                       "7 114 FORMAT ERROR IN DPRNT/BPRNT: #1[99]: the places together are 0 to 8"},
                       {"M99 L-1", "5 9 ILLEGAL ADDRESS INPUT: L repeats 0 to 9999 times"},
                   });
 }
@@ -158,6 +160,9 @@ TEST(CheckWords, ConstantsOfSinumerikExpressionsAreToldAsARunTellsThem) {
            "4 12030 invalid arguments or data types: BOUND: the lower limit is "
            "above the upper one"},
           {"R1=R[1000+1]", "6 17020 illegal array index 1: R[1001] of 1000"},
+          {"SETAL(1)", "1 12560 programmed value exceeds allowed limits: SETAL(1)"},
+          {"SETMS(-1)", "1 12560 programmed value exceeds allowed limits: SETMS(-1)"},
+          {"ID=256 DO M1", "1 12560 programmed value exceeds allowed limits: ID=256: 1 to 255"},
           {"A1: REPEATB A1 P=-1", "1 14013 number of subroutine passes invalid: P-1"},
       });
 }
@@ -174,6 +179,7 @@ TEST(CheckWords, WordsOfSinumerikBlocksAreToldAsARunTellsThem) {
           {"DL=7", "1 17182 illegal sum correction number: DL=7"},
           {"G1 X1 F-9", "1 10860 feedrate not programmed"},
           {"G1 X1 F0", "1 10860 feedrate not programmed"},
+          {"G1 X1 FB=0 F100", "1 10860 feedrate not programmed"},
           {"G4 F-1", "1 12560 programmed value exceeds allowed limits: G4, -1 s"},
           {"G75 FP=9 X0", "1 12560 programmed value exceeds allowed limits: FP=9"},
           {"SF=400", "1 12560 programmed value exceeds allowed limits: SF=400: 0 to 359.999"},
@@ -233,6 +239,9 @@ TEST(CheckWords, WhatMayBeRightOnASinumerikPassesWithoutAWord) {
            "R1=SQRT(R2) R3=ASIN(R4)",
            "R1=2147483647.0+1",
            "R1=BOUND(1,1,3)",
+           "SETAL(65000)",
+           "SETAL(R1)",
+           "WHEN R1>0 DO M1",
            "FA[X]=R1 OVR=R2",
            "DISC=0 OFFN=0",
        }) {
@@ -263,6 +272,8 @@ TEST(CheckWords, WhatMayBeRightPassesWithoutAWord) {
            "G31 X#1 Z#2 F100 P99",
            "G51 P0 I1000 J1000 K1000",
            "G81 P-1",
+           "BPRNT[#1[9]]",
+           "DPRNT[#1[44]]",
            "D1000",
            "T#149 S[1.5] M#1",
            "/ T1 H999 D999",

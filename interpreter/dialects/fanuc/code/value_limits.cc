@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/code/value_limits.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/text/scanner.h"
@@ -71,6 +73,12 @@ WrongValue wrong_word(char letter, double number, std::uint8_t digits, int most)
              ? too_many_digits(digits)
              : WrongValue{AlarmId::TooManyDigits,
                           fmt::format("{} is {:g}, beyond every address", letter, number)};
+}
+
+std::optional<WrongValue> wrong_output(OutputStatement statement, const OutputRule& rule,
+                                       const std::vector<OutputItem>& items) {
+  auto why = statement == OutputStatement::DPRNT ? refused_by(rule, items) : std::nullopt;
+  return why ? std::optional(WrongValue{AlarmId::OutputFormat, *std::move(why)}) : std::nullopt;
 }
 
 std::optional<WrongValue> wrong_repeats(int times) {

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/text/word_values.h"
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
@@ -80,6 +82,10 @@ inline bool fits_address(double number, std::uint8_t digits, int most) {
 }
 /// Of one that it does not take.
 WrongValue wrong_word(char letter, double number, std::uint8_t digits, int most);
+
+/// The format of an output statement.
+std::optional<WrongValue> wrong_output(OutputStatement statement, const OutputRule& rule,
+                                       const std::vector<OutputItem>& items);
 
 /// L of a call.  @param times  a whole number
 std::optional<WrongValue> wrong_repeats(int times);

@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/runtime/printer_port.h"
@@ -111,14 +113,8 @@ MaybeFailure print(Control& control, const CallStack& stack, const Step& step) {
   const auto items =
       parse_output_format(program.file->text().substr(format.begin, format.end - format.begin));
   G31_EXPECTS(items.ok());  // the parser refused every other format
-  if (statement == OutputStatement::DPRNT) {
-    if (const auto refused = refused_by(control.profile.output, items.value())) {
-      Failure failure;
-      failure.id = AlarmId::OutputFormat;
-      failure.where = format;
-      failure.detail = *refused;
-      return failure;
-    }
+  if (auto wrong = wrong_output(statement, control.profile.output, items.value())) {
+    return at_place(wrong->id, format, std::move(wrong->detail));
   }
   const bool is_binary = statement == OutputStatement::BPRNT;
   const PrintCode characters =

@@ -39,6 +39,27 @@ WrongValue only_zero(Address address, double value) {
   return {AlarmId::NotImplemented, fmt::format("{}={:g}", name_of(address), value)};
 }
 
+MaybeWrong wrong_alarm_number(double number) {
+  constexpr double kFirst = 60000.0;
+  constexpr double kLast = 69999.0;
+  return number < kFirst || number > kLast
+             ? wrong(AlarmId::ValueOutOfLimits, fmt::format("SETAL({:.0f})", number))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_master_spindle(double number) {
+  return number < 1.0 || number > kMostSpindles
+             ? wrong(AlarmId::ValueOutOfLimits, fmt::format("SETMS({:g})", number))
+             : std::nullopt;
+}
+
+MaybeWrong wrong_action_number(double number) {
+  constexpr double kMost = 255.0;
+  return number < 1.0 || number > kMost
+             ? wrong(AlarmId::ValueOutOfLimits, fmt::format("ID={:g}: 1 to 255", number))
+             : std::nullopt;
+}
+
 MaybeWrong wrong_tool(double number) {
   constexpr double kMost = 1e8;
   return is_none_of(number, 0.0, kMost) ? wrong(AlarmId::BadTNumber, fmt::format("T{}", number))

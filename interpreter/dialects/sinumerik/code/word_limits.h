@@ -19,6 +19,13 @@ inline constexpr Address kOnlyZero[] = {Address::Conic, Address::NormalOffset};
 /// Of another value.
 WrongValue only_zero(Address address, double value);
 
+/// SETAL
+MaybeWrong wrong_alarm_number(double number);
+/// SETMS
+MaybeWrong wrong_master_spindle(double number);
+/// ID of a synchronised action
+MaybeWrong wrong_action_number(double number);
+
 /// T as a number.
 MaybeWrong wrong_tool(double number);
 /// D

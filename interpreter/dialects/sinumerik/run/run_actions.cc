@@ -11,7 +11,6 @@
 namespace g31::sinumerik {
 
 MaybeFailure SynchronisedActions::take(const Op& op) {
-  constexpr double kMostNumber = 255.0;
   constexpr std::size_t kMostTexts = 10000;
   const Arguments list = operands_.arguments_of(op);
   Action action;
@@ -36,8 +35,8 @@ MaybeFailure SynchronisedActions::take(const Op& op) {
     return std::nullopt;
   }
   const double number = operands_.number(op.a);
-  if (number < 1.0 || number > kMostNumber) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("ID={:g}: 1 to 255", number));
+  if (MaybeFailure wrong = failure(wrong_action_number(number))) {
+    return wrong;
   }
   modal_[static_cast<int>(number)] = std::move(action);
   return std::nullopt;

@@ -11,9 +11,6 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr double kFirstAlarm = 60000.0;
-constexpr double kLastAlarm = 69999.0;
-
 MaybeFailure set_locked(SynchronisedActions& actions, Operands& at, Arguments list, bool locked) {
   if (!actions.is_acting()) {
     return failure(AlarmId::SyntaxInText, "LOCK and UNLOCK stand in synchronised actions");
@@ -76,8 +73,8 @@ MaybeFailure message(Channel& channel, Operands& at, Arguments list) {
 
 MaybeFailure set_master_spindle(Channel& channel, Operands& at, Arguments list) {
   const double number = list.empty() ? 1.0 : at.number(list[0].value);
-  if (number < 1.0 || number > kMostSpindles) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("SETMS({:g})", number));
+  if (MaybeFailure wrong = failure(wrong_master_spindle(number))) {
+    return wrong;
   }
   channel.make_master(static_cast<int>(number));
   return std::nullopt;
@@ -186,8 +183,8 @@ MaybeFailure release_axis(Channel& channel, Operands& at, Arguments list) {
 /// SETAL(number, text): ends the program.
 MaybeFailure set_alarm(Channel& /*channel*/, Operands& at, Arguments list) {
   const double given = rounded(at.number(list[0].value));
-  if (given < kFirstAlarm || given > kLastAlarm) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("SETAL({:.0f})", given));
+  if (MaybeFailure wrong = failure(wrong_alarm_number(given))) {
+    return wrong;
   }
   Failure alarm = failure(AlarmId::CycleAlarm);
   alarm.number = static_cast<int>(given);

@@ -20,7 +20,6 @@ namespace g31::sinumerik {
 inline constexpr int kTransverseAxis = 0;
 
 /// Spindle 1 holds the tool; of the others it is kept what programs say.
-inline constexpr int kMostSpindles = 20;
 
 /// What programs said about the spindle.
 struct Spindle {

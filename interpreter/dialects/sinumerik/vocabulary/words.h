@@ -52,6 +52,7 @@ struct ValueRange {
 /// The values that the control takes at an address at all.
 ValueRange range_of(Address address);
 
+inline constexpr int kMostSpindles = 20;
 inline constexpr int kMostProbes = 8;   ///< MEAS=1 and on
 inline constexpr int kFixedPoints = 4;  ///< FP=1 and on
 inline constexpr int kMostMachineCodes = 5;
