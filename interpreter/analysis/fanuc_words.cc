@@ -46,9 +46,11 @@ bool is_macro_call(const EvaluatedWord& word) {
 
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
   const GCode* const code = fanuc::find_g_code(word.number);
-  if (!has_code(profile, code)) {
-    // A whole number may be what the sheet makes call a macro.
-    codes.is_open |= word.number >= 0.0 && word.number == std::round(word.number);
+  const bool is_known = has_code(profile, code);
+  const bool is_common = is_known && code->set == fanuc::CodeSet::Family;
+  // The sheet makes whole numbers call macros, also in the place of a maker's own code.
+  codes.is_open |= !is_common && word.number >= 0.0 && word.number == std::round(word.number);
+  if (!is_known) {
     return;
   }
   const bool is_one_shot =

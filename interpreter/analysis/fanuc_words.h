@@ -9,7 +9,7 @@ namespace g31::analysis {
 /// Judges the numbers of NC blocks by what a run takes there, in whatever state it comes to them.
 ///
 /// Words that may be arguments of a macro are not judged: those of a block that begins with an M
-/// code or has a G code of its own number, for the set-up sheet says what these call.
+/// code or has a G code that not all controls have, for the set-up sheet says what these call.
 class FanucWords {
  public:
   /// Both must outlive it.

@@ -75,7 +75,6 @@ TEST(CheckWords, NumbersOfFanucWordsAreToldAsARunTellsThem) {
           {"D1.5", "1 7 ILLEGAL USE OF DECIMAL POINT: D takes an integer"},
           {"H1000", "1 30 ILLEGAL OFFSET NUMBER: H is 0 to 999"},
           {"G43 H-1", "5 30 ILLEGAL OFFSET NUMBER: H is 0 to 999"},
-          {"G43 H1.5", "5 7 ILLEGAL USE OF DECIMAL POINT: H takes an integer"},
           {"G41 D1000 X10. F100", "1 30 ILLEGAL OFFSET NUMBER: D1000: D is 0 to 999"},
           {"G1.5 X1.", "1 10 IMPROPER G-CODE: the control has no G1.5"},
           {"G1 X1. ,C-1. F100",
@@ -138,8 +137,7 @@ TEST(CheckWords, EachControlHasItsOwnLimits) {
                              {"M98 P2 S-1", "8 35 ILLEGAL USE OF MINUS SIGN: S counts from 0"}});
   expect_both_say("haas", {{"G04 P-1.5",
                             "1 6 ILLEGAL USE OF MINUS SIGN: a dwell cannot be "
-                            "negative"},
-                           {"G154 P301", "6 30 ILLEGAL OFFSET NUMBER: G154 has P1 to P300"}});
+                            "negative"}});
   expect_both_say("fanuc-30i", {{"G51 P-1.5", "1 142 ILLEGAL SCALE RATE: the factor is -1.5"}});
 }
 
@@ -149,7 +147,6 @@ TEST(CheckWords, ConstantsOfSinumerikExpressionsAreToldAsARunTellsThem) {
       {
           {"R1=5/(3-3)", "4 14051 arithmetic error in part program: division by zero"},
           {"R1=(R2-1) MOD (2-2)", "4 14051 arithmetic error in part program: division by zero"},
-          {"R1=SQRT(-1)", "4 14051 arithmetic error in part program: SQRT of -1"},
           {"R1=SQRT(3-4)", "4 14051 arithmetic error in part program: SQRT of -1"},
           {"R1=LN(0)", "4 14051 arithmetic error in part program: LN of 0"},
           {"R1=ASIN(2)", "4 14051 arithmetic error in part program: ASIN of 2"},
@@ -174,7 +171,6 @@ TEST(CheckWords, WordsOfSinumerikBlocksAreToldAsARunTellsThem) {
           {"T-5", "1 17190 illegal T number: T-5"},
           {"T=1-2", "1 17190 illegal T number: T-1"},
           {"T1.5", "1 17190 illegal T number: T1.5"},
-          {"D-1", "1 14090 invalid D number: D-1"},
           {"D32001", "1 14090 invalid D number: D32001"},
           {"DL=7", "1 17182 illegal sum correction number: DL=7"},
           {"G1 X1 F-9", "1 10860 feedrate not programmed"},
@@ -194,7 +190,6 @@ TEST(CheckWords, WordsOfSinumerikBlocksAreToldAsARunTellsThem) {
           {"G1 AP=10 RP=-5 F100", "1 14200 negative polar radius: RP=-5"},
           {"G110 AP=400 RP=5", "1 14210 polar angle too large: AP=400"},
           {"OFFN=1", "1 12140 functionality not implemented: OFFN=1"},
-          {"DISC=50", "1 12140 functionality not implemented: DISC=50"},
       });
 }
 
@@ -282,6 +277,12 @@ TEST(CheckWords, WhatMayBeRightPassesWithoutAWord) {
     SCOPED_TRACE(block);
     EXPECT_EQ(testing::g31({"check", folder.write("case.nc", fanuc_program(block))}).out, "");
   }
+}
+
+TEST(CheckWords, ACodeOfTheMakerMayBeAMacroCall) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("case.nc", fanuc_program("G111 H1.5 B1."));
+  EXPECT_EQ(said_by_check(file, "haas"), "");
 }
 
 TEST(CheckWords, ABlockThatMayBeSkippedOrIsNeverReachedIsToldAsOthersAre) {
