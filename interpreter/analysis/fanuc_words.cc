@@ -7,6 +7,7 @@
 
 #include "interpreter/analysis/fanuc_known_words.h"
 #include "interpreter/dialects/fanuc/code/data_setting.h"
+#include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
 #include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
 #include "machine/units/axis_positions.h"
 
@@ -171,8 +172,8 @@ WrongWord JudgedBlock::argument_letters() const {
   const auto code = std::ranges::find_if(all, is_macro_call);
   for (auto word = all.begin(); word != all.end(); ++word) {
     if (word != code && word->letter != 'P' && word->letter != 'L') {
-      if (WrongWord found = KnownWords::at(fanuc::wrong_argument(word->letter), *word)) {
-        return found;
+      if (fanuc::argument_variable(word->letter) == 0) {
+        return KnownWords::at(fanuc::no_argument(word->letter), *word);
       }
     }
   }

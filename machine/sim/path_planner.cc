@@ -90,15 +90,6 @@ void append_ramp(MotionPhases& phases, double from, double to, const PathLimits&
 
 }  // namespace
 
-double ramp_s(double change, const PathLimits& limits) {
-  if (limits.jerk == 0.0) {
-    return change / limits.acceleration;
-  }
-  const double full = limits.acceleration * limits.acceleration / limits.jerk;
-  return change >= full ? change / limits.acceleration + limits.acceleration / limits.jerk
-                        : 2.0 * std::sqrt(change / limits.jerk);
-}
-
 double reachable_speed(double speed, double length, const PathLimits& limits) {
   const double most = limits.speed;
   if (speed >= most || ramp_length(speed, most, limits) <= length) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -105,7 +106,14 @@ class PathPlanner {
 inline constexpr double kPathPlannerError = 1e-9;
 
 /// How a change of speed goes: the time it takes.  @param change  >= 0
-double ramp_s(double change, const PathLimits& limits);
+inline double ramp_s(double change, const PathLimits& limits) {
+  if (limits.jerk == 0.0) {
+    return change / limits.acceleration;
+  }
+  const double full = limits.acceleration * limits.acceleration / limits.jerk;
+  return change >= full ? change / limits.acceleration + limits.acceleration / limits.jerk
+                        : 2.0 * std::sqrt(change / limits.jerk);
+}
 
 /// The highest speed from which a way allows to brake to a speed, or to which it allows to
 /// accelerate from it; limits.speed at most.

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
 #include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
 
 namespace g31::fanuc {
@@ -33,11 +32,9 @@ WrongValue wrong_plain_word(const EvaluatedWord& word) {
              : point_in(word);
 }
 
-MaybeWrong wrong_argument(char letter) {
-  return argument_variable(letter) == 0
-             ? wrong(AlarmId::IllegalArgumentLetter,
-                     fmt::format("{} as argument", syntax::letter_text(letter)))
-             : std::nullopt;
+WrongValue no_argument(char letter) {
+  return {AlarmId::IllegalArgumentLetter,
+          fmt::format("{} as argument", syntax::letter_text(letter))};
 }
 
 MaybeWrong wrong_length_offset(int number, GNumber code) {

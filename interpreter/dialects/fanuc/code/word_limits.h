@@ -36,8 +36,8 @@ inline bool fits_plain_word(const EvaluatedWord& word) {
 /// Of one that does not.
 WrongValue wrong_plain_word(const EvaluatedWord& word);
 
-/// Whether a letter can be an argument of G65 and the like.
-MaybeWrong wrong_argument(char letter);
+/// Of a letter that is none in G65 and the like (argument_letters.h).
+WrongValue no_argument(char letter);
 
 /// H.  @param code  of tool length, in force
 MaybeWrong wrong_length_offset(int number, GNumber code);

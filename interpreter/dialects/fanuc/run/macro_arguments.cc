@@ -42,7 +42,7 @@ MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
   for (const EvaluatedWord& word : arguments) {
     int variable = argument_variable(word.letter);
     if (variable == 0) {
-      return at_word(wrong_argument(word.letter), word);
+      return at_word(no_argument(word.letter), word);
     }
     if (triples && word.letter >= 'I' && word.letter <= 'K') {
       const bool begins = word.letter <= last_of_triple;

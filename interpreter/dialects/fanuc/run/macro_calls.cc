@@ -8,6 +8,7 @@
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
 
 namespace g31::fanuc {
 namespace {
@@ -30,8 +31,8 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
   for (const EvaluatedWord& word : words_.all()) {
     if (!is_call_word(word, code)) {
       arguments.push_back(word);
-      if (auto failure = at_word(wrong_argument(word.letter), word)) {
-        return failure;
+      if (argument_variable(word.letter) == 0) {
+        return at_word(no_argument(word.letter), word);
       }
     }
   }
