@@ -8,7 +8,6 @@
 #include "interpreter/analysis/fanuc_accesses.h"
 #include "interpreter/analysis/fanuc_constants.h"
 #include "interpreter/analysis/fanuc_moves.h"
-#include "interpreter/analysis/fanuc_words.h"
 #include "interpreter/analysis/flow_builder.h"
 #include "interpreter/dialects/fanuc/code/exits.h"
 
@@ -38,10 +37,11 @@ class FanucTranslation {
   using OpCode = fanuc::OpCode;
   using Step = fanuc::Step;
 
-  FanucTranslation(const fanuc::CompiledProgram& program, const fanuc::Profile& profile)
+  FanucTranslation(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
+                   const MacroCallers& callers)
       : program_(program),
         profile_(profile),
-        words_(program, profile),
+        words_(program, profile, callers),
         builder_(name_of(program), *program.file) {}
 
   Flow run() {
@@ -291,8 +291,9 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
 
 }  // namespace
 
-Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile) {
-  return FanucTranslation(program, profile).run();
+Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
+             const MacroCallers& callers) {
+  return FanucTranslation(program, profile, callers).run();
 }
 
 }  // namespace g31::analysis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interpreter/analysis/fanuc_words.h"
 #include "interpreter/analysis/flow.h"
 #include "interpreter/dialects/fanuc/code/compile.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
@@ -7,6 +8,7 @@
 namespace g31::analysis {
 
 /// The picture of a Fanuc program, compiled whole for a control.
-Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile);
+Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
+             const MacroCallers& callers = {});
 
 }  // namespace g31::analysis

@@ -19,14 +19,13 @@ WrongWord at_block(MaybeWrong wrong, syntax::ShortSpan whole) {
 }
 
 /// G10.  Of the memories of tool offsets the largest counts: which one it is says the sheet.
-WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole,
-                     const fanuc::Profile& profile) {
+WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole) {
   constexpr auto kMemory = runtime::OffsetMemory::C;
   if (words.is_open('L')) {
     return std::nullopt;
   }
-  if (WrongWord wrong =
-          words.integer('L', [&](int l) { return fanuc::wrong_data_kind(l, kMemory, profile); })) {
+  // One that g31 has not may be an option of the real control.
+  if (WrongWord wrong = words.integer('L', [](int) -> MaybeWrong { return {}; })) {
     return wrong;
   }
   const EvaluatedWord* const word = words.find('L');
@@ -125,7 +124,7 @@ WrongWord wrong_for_code(const fanuc::GCode& code, const KnownWords& words, synt
     return words.integer('P', [number](int p) { return fanuc::wrong_part_error(p, number); });
   }
   return action == GAction::Dwell                       ? wrong_pause(words, whole, profile)
-         : action == GAction::SetData                   ? wrong_data(words, whole, profile)
+         : action == GAction::SetData                   ? wrong_data(words, whole)
          : action == GAction::Skip && number.tenth == 0 ? wrong_skip_words(words, profile)
          : action == GAction::Scaling                   ? wrong_scaling(words, whole, profile)
                                                         : std::nullopt;

@@ -1,4 +1,7 @@
 #include <charconv>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,13 +19,19 @@ constexpr int kCountFactor = 10'000;
 
 class FanucPrograms final : public ProgramSet {
  public:
-  FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources)
-      : profile_(profile), library_(sources) {
+  FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources, std::set<int> codes)
+      : profile_(profile), library_(sources), callers_{std::move(codes)} {
     library_.compile_for(profile);
   }
 
   bool add_file(const std::string& path) override {
-    return library_.add_file(path) == fanuc::ProgramLibrary::Added::Yes;
+    if (library_.add_file(path) != fanuc::ProgramLibrary::Added::Yes) {
+      return false;
+    }
+    for (const fanuc::CompiledProgram* const program : library_.programs_of(path)) {
+      callers_.every_block |= lets_every_block_call(*program);
+    }
+    return true;
   }
   void add_folder(const std::string& folder) override { library_.add_folder(folder); }
 
@@ -50,7 +59,7 @@ class FanucPrograms final : public ProgramSet {
     for (const fanuc::CompiledProgram* const program : programs) {
       // An O number without blocks beside real programs is what some editors leave behind.
       if (program->steps.size() > 1 || programs.size() == 1) {
-        all.push_back(flow_of(*program, profile_));
+        all.push_back(flow_of(*program, profile_, callers_));
       }
     }
     return all;
@@ -79,13 +88,38 @@ class FanucPrograms final : public ProgramSet {
  private:
   const fanuc::Profile& profile_;
   fanuc::ProgramLibrary library_;
+  MacroCallers callers_;
 };
+
+/// The G codes that a sheet makes macro calls: "G81" of [macro_calls], 6050 to 6059.
+std::set<int> called_codes(const runtime::ControlSetup& setup) {
+  std::set<int> codes;
+  const auto number_in = [](std::string_view text) {
+    int number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+  };
+  for (const auto& [code, program] : setup.macro_calls) {
+    if (code.starts_with('G')) {
+      codes.insert(number_in(std::string_view(code).substr(1)));
+    }
+  }
+  const auto& calls = fanuc::info(fanuc::ParameterId::MacroGCode);
+  for (const auto& [name, value] : setup.parameters) {
+    const int number = number_in(name);
+    if (number >= calls.first && number <= calls.last) {
+      codes.insert(static_cast<int>(value));
+    }
+  }
+  return codes;
+}
 
 }  // namespace
 
 std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
-                                           source::SourceMap& sources) {
-  return std::make_unique<FanucPrograms>(profile, sources);
+                                           source::SourceMap& sources,
+                                           const runtime::ControlSetup& setup) {
+  return std::make_unique<FanucPrograms>(profile, sources, called_codes(setup));
 }
 
 }  // namespace g31::analysis

@@ -1,7 +1,6 @@
 #include "interpreter/analysis/fanuc_words.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -50,7 +49,8 @@ void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Prof
   const bool is_known = has_code(profile, code);
   const bool is_common = is_known && code->set == fanuc::CodeSet::Family;
   // The sheet makes whole numbers call macros, also in the place of a maker's own code.
-  codes.is_open |= !is_common && word.number >= 0.0 && word.number == std::round(word.number);
+  // One that g31 has not may be an option of the real control.
+  codes.is_open |= !is_common;
   if (!is_known) {
     return;
   }
@@ -72,9 +72,12 @@ void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Prof
 
 class JudgedBlock {
  public:
-  JudgedBlock(Words words, syntax::ShortSpan whole, const fanuc::Profile& profile)
+  JudgedBlock(Words words, syntax::ShortSpan whole, const fanuc::Profile& profile,
+              const MacroCallers& callers)
       : profile_(profile), whole_(whole), words_(words) {
     for (const EvaluatedWord& word : words_.words().all()) {
+      codes_.is_open |=
+          word.letter == 'G' && callers.codes.contains(fanuc::nearest_integer(word.number));
       if (word.letter == 'G' && !is_macro_call(word) && !is_g(word, 67.0)) {
         take_code(codes_, word, profile);
       }
@@ -88,7 +91,6 @@ class JudgedBlock {
   [[nodiscard]] Use use_by_m(const EvaluatedWord& word) const;
   [[nodiscard]] WrongWord call(Use use) const;
   [[nodiscard]] WrongWord argument_letters() const;
-  [[nodiscard]] WrongWord unknown_code() const;
   [[nodiscard]] WrongWord plain_words(char left_out) const;
   [[nodiscard]] WrongWord offsets() const;
   [[nodiscard]] WrongWord corners() const;
@@ -145,8 +147,7 @@ WrongWord JudgedBlock::judge() const {
     return call(use);
   }
   constexpr char kNothing = '/';
-  for (const auto& part :
-       {unknown_code(), plain_words(kNothing), offsets(), corners(), compensation()}) {
+  for (const auto& part : {plain_words(kNothing), offsets(), corners(), compensation()}) {
     if (part) {
       return part;
     }
@@ -160,8 +161,7 @@ WrongWord JudgedBlock::call(Use use) const {
   if (use == Use::MacroCall) {
     found = argument_letters();
   } else if (use == Use::Subprogram) {
-    found = unknown_code();
-    found = found ? found : plain_words(profile_.start_letter);
+    found = plain_words(profile_.start_letter);
   }
   found = found ? found : words_.integer('P', [](int) -> fanuc::MaybeWrong { return {}; });
   return found ? found : words_.integer('L', fanuc::wrong_repeats);
@@ -175,15 +175,6 @@ WrongWord JudgedBlock::argument_letters() const {
       if (fanuc::argument_variable(word->letter) == 0) {
         return KnownWords::at(fanuc::no_argument(word->letter), *word);
       }
-    }
-  }
-  return std::nullopt;
-}
-
-WrongWord JudgedBlock::unknown_code() const {
-  for (const EvaluatedWord& word : words_.words().all()) {
-    if (word.letter == 'G' && !has_code(profile_, fanuc::find_g_code(word.number))) {
-      return KnownWords::at(fanuc::unknown_code(word.number), word);
     }
   }
   return std::nullopt;
@@ -249,7 +240,9 @@ WrongWord JudgedBlock::action() const {
   }
   constexpr std::uint32_t kHoleWords =
       fanuc::letters_of({kAxisLetters, kAxisCount}) | fanuc::letters_of("R");
-  return codes_.drills && words_.words().has_any(kHoleWords)
+  const EvaluatedWord* const p = words_.find('P');
+  return codes_.drills && p != nullptr && words_.words().has_any(kHoleWords) &&
+                 !fanuc::is_dwell_in_seconds(*p, profile_)
              ? words_.integer('P', [](int ms) { return fanuc::wrong_dwell(ms / 1000.0); })
              : std::nullopt;
 }
@@ -277,13 +270,13 @@ bool begins_data(Words words) {
 
 }  // namespace
 
-FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile)
-    : program_(program), profile_(profile) {
-  for (const fanuc::Step& step : program.steps) {
-    const Words words = words_of(program, program.tree->blocks[step.block]);
-    every_block_calls_ |=
-        std::ranges::any_of(words, [](const Word& word) { return is_g(word, 66.1); });
-  }
+FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
+                       const MacroCallers& callers)
+    : program_(program), profile_(profile), callers_(callers) {}
+
+bool lets_every_block_call(const fanuc::CompiledProgram& program) {
+  return std::ranges::any_of(program.tree->words,
+                             [](const Word& word) { return is_g(word, 66.1); });
 }
 
 WrongWord FanucWords::wrong_in(const syntax::Block& block) {
@@ -293,9 +286,9 @@ WrongWord FanucWords::wrong_in(const syntax::Block& block) {
   takes_data_ = !ends && (takes_data_ || begins_data(words));
   // What stands behind a / may be skipped, and the last word of a letter counts.
   const bool may_be_cut = std::ranges::find(words, '/', &Word::letter) != words.end();
-  return was_data || may_be_cut || every_block_calls_
+  return was_data || may_be_cut || callers_.every_block
              ? std::nullopt
-             : JudgedBlock(words, block.span, profile_).judge();
+             : JudgedBlock(words, block.span, profile_, callers_).judge();
 }
 
 }  // namespace g31::analysis

@@ -42,8 +42,10 @@ class ProgramSet {
 };
 
 /// @param profile, sources  outlive the programs
+/// @param setup             which codes call macros
 std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
-                                           source::SourceMap& sources);
+                                           source::SourceMap& sources,
+                                           const runtime::ControlSetup& setup = {});
 
 /// Definition files that are added define names for all of them.
 /// @param sources  outlives the programs

@@ -10,7 +10,7 @@ std::unique_ptr<analysis::ProgramSet> analysed_programs(const Control& control,
   return std::visit(
       runtime::Overloaded{
           [&](const FanucControl& chosen) {
-            return analysis::fanuc_programs(chosen.profile, sources);
+            return analysis::fanuc_programs(chosen.profile, sources, setup);
           },
           [&](const SinumerikControl&) { return analysis::sinumerik_programs(sources, setup); },
       },

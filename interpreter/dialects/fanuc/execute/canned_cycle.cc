@@ -206,11 +206,12 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
     data.q = std::abs(control.scale.length_mm(*q));
   }
   if (const EvaluatedWord* const p = block.words.find('P')) {
-    const auto milliseconds = integer_of(*p);
+    const bool is_in_seconds = is_dwell_in_seconds(*p, control.profile);
+    const auto milliseconds = is_in_seconds ? Result<int, Failure>(0) : integer_of(*p);
     if (!milliseconds) {
       return milliseconds.error();
     }
-    data.dwell_s = milliseconds.value() / 1000.0;
+    data.dwell_s = is_in_seconds ? p->number : milliseconds.value() / 1000.0;
     if (auto failure = at_word(wrong_dwell(data.dwell_s), *p)) {
       return failure;
     }
