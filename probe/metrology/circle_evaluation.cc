@@ -75,6 +75,16 @@ double angle_of(const std::vector<CircleTurn>& turns) {
   return angle;
 }
 
+/// Of least squares, as a whole turn makes it.  Of less than that it would go with the form of the
+/// arc, and what the model says counts.
+Circle reference_of(const PlaneSamples& samples, const CircleEvaluation& evaluation) {
+  constexpr double kWholeTurn = 2.0 * std::numbers::pi - 2.0 * kDegree;
+  const Circle of_model{evaluation.fit.errors.centre, evaluation.fit.errors.radius};
+  const bool is_whole = std::ranges::any_of(
+      evaluation.turns, [](const CircleTurn& turn) { return turn.angle >= kWholeTurn; });
+  return is_whole ? least_squares_circle(samples, evaluation.turns, of_model) : of_model;
+}
+
 void add_minimum_zones(const PlaneSamples& samples, CircleEvaluation& evaluation) {
   const auto zone_of = [&](int direction) -> std::optional<double> {
     std::vector<CircleTurn> turns;
@@ -129,10 +139,9 @@ Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& sample
   }
   add_systematic({samples, evaluation.turns, windows, task}, evaluation.fit);
   evaluation.spike = reversal_spikes(samples, evaluation.turns, evaluation.fit, windows);
-  const Circle least = least_squares_circle(
-      samples, evaluation.turns, {evaluation.fit.errors.centre, evaluation.fit.errors.radius});
-  evaluation.reference.centre = request.centre.value_or(least.centre);
-  evaluation.reference.radius = request.radius.value_or(least.radius);
+  const Circle fitted = reference_of(samples, evaluation);
+  evaluation.reference.centre = request.centre.value_or(fitted.centre);
+  evaluation.reference.radius = request.radius.value_or(fitted.radius);
   evaluation.directions = compare_directions(samples, evaluation.turns, evaluation.reference);
   RadialErrors errors(evaluation);
   for (const CircleTurn& turn : evaluation.turns) {

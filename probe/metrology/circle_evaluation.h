@@ -31,7 +31,8 @@ struct Extremes {
 
 /// What a recorded circle says.  Index 0 is the first axis of the plane, 1 the second.
 struct CircleEvaluation {
-  /// Radial errors are about it: as requested, else of least squares over all turns.
+  /// Radial errors are about it: as requested, else of least squares over all turns, or that of the
+  /// model where no turn is whole.
   Circle reference;
   CircleFit fit;
   std::vector<CircleTurn> turns;

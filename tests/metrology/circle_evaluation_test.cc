@@ -379,6 +379,25 @@ TEST(CircleEvaluation, CountsRadialErrorsFromTheCentreOfLeastSquares) {
   }
 }
 
+/// Of half a circle there and back the centre of least squares would go with its form, here by a
+/// third of an ellipse's error: the model knows better.
+TEST(CircleEvaluation, CountsRadialErrorsOfAnArcFromTheCentreOfTheModel) {
+  constexpr double kScale = 100e-6;
+  constexpr int kHalf = 20'000;
+  testing::CircleRecord record;
+  for (int i = 0; i < 2 * kHalf; ++i) {
+    const double part = static_cast<double>(i < kHalf ? i : 2 * kHalf - 1 - i) / (kHalf - 1);
+    const double theta = std::numbers::pi * part;
+    record.t.push_back(1e-3 * i);
+    record.x.push_back(3.0 + 50.0 * (1.0 + kScale) * std::cos(theta));
+    record.y.push_back(4.0 + 50.0 * (1.0 - kScale) * std::sin(theta));
+  }
+  const CircleEvaluation arc = evaluated(record, {50.0, {}, 0.0});
+  EXPECT_NEAR(arc.fit.errors.scale[0], kScale, 1e-6);
+  EXPECT_NEAR(arc.reference.centre.y(), 4.0, 1e-5);
+  EXPECT_NEAR(arc.radial_error.width(), 2.0 * 50.0 * kScale, 2e-5);
+}
+
 TEST(CircleEvaluation, RefusesWhatIsNoCircle) {
   std::vector<double> t;
   std::vector<double> x;

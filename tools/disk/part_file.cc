@@ -130,10 +130,13 @@ std::FILE* open_pipe(const std::string& path) {
 /// The new file looks like the one that it will replace, as far as we may.
 void take_after(std::FILE* file, const struct stat& replaced) {
   const bool is_ours = ::fchown(::fileno(file), replaced.st_uid, replaced.st_gid) == 0;
-  // A mode that was meant for another owner would give ours away.
+  // A mode that was meant for another owner would give ours away, and one that was meant for
+  // another group would give it to ours.
   constexpr mode_t kPermissions = 0777;
+  constexpr mode_t kOfGroup = 0070;
   if (is_ours || replaced.st_uid == ::geteuid()) {
-    (void)::fchmod(::fileno(file), replaced.st_mode & kPermissions);
+    const mode_t kept = is_ours ? kPermissions : kPermissions & ~kOfGroup;
+    (void)::fchmod(::fileno(file), replaced.st_mode & kept);
   }
 }
 

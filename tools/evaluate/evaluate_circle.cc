@@ -96,6 +96,8 @@ std::vector<Quantity> results_of(const metrology::CircleEvaluation& circle, cons
       {"radius", errors.radius * (1.0 + 0.5 * (errors.scale[0] + errors.scale[1])), "mm"},
       {"centre_" + lower(axes[0]), errors.centre.x(), "mm", u.centre.x()},
       {"centre_" + lower(axes[1]), errors.centre.y(), "mm", u.centre.y()},
+      {"reference_centre_" + lower(axes[0]), circle.reference.centre.x(), "mm"},
+      {"reference_centre_" + lower(axes[1]), circle.reference.centre.y(), "mm"},
       {"spike_" + axes[0], um(circle.spike[0]), "um"},
       {"spike_" + axes[1], um(circle.spike[1]), "um"}};
   add_estimates(circle.fit, axes, results);
@@ -139,8 +141,7 @@ std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, con
   constexpr double kMuchMore = 1.1;
   if (circle.minimum_zone && circle.radial_error.width() > kMuchMore * *circle.minimum_zone) {
     notes.emplace_back(
-        "circular_error counts from the centre given or of least squares; about the best centre it "
-        "is minimum_zone");
+        "circular_error counts from reference_centre; about the best centre it is minimum_zone");
   }
   notes.emplace_back(request.radius
                          ? "scale includes what the feed takes from the radius"

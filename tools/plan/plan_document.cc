@@ -131,7 +131,13 @@ std::string plan_document(const PlannedPart& planned) {
                         {"not_measured", not_measured(planned)},
                         {"proof",
                          {{"touches", planned.touches},
-                          {"largest_deviation", rounded_length(planned.largest_deviation_mm)}}}};
+                          {"largest_deviation", rounded_length(planned.largest_deviation_mm)},
+                          {"out_of_tolerance", PlanDocument::array()}}}};
+  for (const JudgedMeasure& row : planned.on_product.measures) {
+    if (row.verdict == Verdict::Bad) {
+      document["proof"]["out_of_tolerance"].push_back(row.measure.id);
+    }
+  }
   for (std::size_t i = 0; i < planned.part.features.size(); ++i) {
     document["features"].push_back(feature_row(planned, i));
   }

@@ -79,7 +79,8 @@ std::string proof_text(const PlannedPart& planned) {
   return fmt::format(
       "not proven on {}: {}{} of {} measures of the part as drawn come out of tolerance with the "
       "machine and the probe of the sheet:\n{}expected: a probe whose calibration the program "
-      "knows, a machine that is compensated, or a wider tolerance\n",
+      "knows, a machine that is compensated, a finer mesh, or a wider "
+      "tolerance\n",
       planned.product, run, bad.measures.size(), planned.on_product.measures.size(),
       measures_table(bad));
 }
@@ -92,7 +93,9 @@ std::string plan_summary(const PlannedPart& planned, const std::string& folder) 
     text += planned.leaves_something_out() ? "nothing is measured\n"
                                            : "nothing was cut from the stock\n";
   }
-  text += proof_text(planned);
+  if (!planned.plan.measures.empty()) {
+    text += proof_text(planned);
+  }
   if (planned.as_machined) {
     text += "as machined:\n" + judgement_table(*planned.as_machined);
   }
