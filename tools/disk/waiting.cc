@@ -15,8 +15,23 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::atomic<const std::atomic<bool>*> interruption = nullptr;
 std::atomic<double> last_s = kNever;
-std::atomic<std::optional<GivenUp>> input_given_up = std::optional<GivenUp>();
-std::atomic<std::optional<GivenUp>> output_given_up = std::optional<GivenUp>();
+/// Why waiting was given up, as a number: atomic values of odd sizes need a library of their own.
+class Reason {
+ public:
+  void forget() { number_ = kNone; }
+  void keep(GivenUp why) { number_ = static_cast<int>(why); }
+  [[nodiscard]] std::optional<GivenUp> get() const {
+    const int number = number_;
+    return number == kNone ? std::nullopt : std::optional(static_cast<GivenUp>(number));
+  }
+
+ private:
+  static constexpr int kNone = -1;
+  std::atomic<int> number_ = kNone;
+};
+
+Reason input_given_up;
+Reason output_given_up;
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -47,8 +62,8 @@ void give_up_waiting_when(const std::atomic<bool>& is_over) {
 
 WaitingLimit::WaitingLimit(double seconds) {
   last_s = now_s() + seconds;
-  input_given_up = std::optional<GivenUp>();
-  output_given_up = std::optional<GivenUp>();
+  input_given_up.forget();
+  output_given_up.forget();
 }
 
 WaitingLimit::~WaitingLimit() {
@@ -58,7 +73,7 @@ WaitingLimit::~WaitingLimit() {
 std::optional<GivenUp> wait_for_input(int descriptor) {
   while (!is_ready(descriptor, POLLIN)) {
     if (const auto why = why_over()) {
-      input_given_up = why;
+      input_given_up.keep(*why);
       return why;
     }
   }
@@ -71,7 +86,7 @@ std::optional<GivenUp> why_give_up_output(double waited_s, double stall_s) {
     why = GivenUp::Stall;
   }
   if (why) {
-    output_given_up = why;
+    output_given_up.keep(*why);
   }
   return why;
 }
@@ -87,11 +102,11 @@ std::optional<GivenUp> wait_for_output(int descriptor, double stall_s) {
 }
 
 std::optional<GivenUp> given_up_input() {
-  return input_given_up;
+  return input_given_up.get();
 }
 
 std::optional<GivenUp> given_up_output() {
-  return output_given_up;
+  return output_given_up.get();
 }
 
 }  // namespace g31::disk
