@@ -27,20 +27,6 @@ const OffsetForm* find_offset_form(int l, OffsetMemory memory) {
   return nullptr;
 }
 
-bool sets_table_offset(int l, const Profile& profile) {
-  constexpr int kTableOffset = 21;
-  constexpr GNumber kCode{54, 2};
-  return l == kTableOffset && has_g_code(profile, *find_g_code(kCode));
-}
-
-MaybeWrong wrong_data_kind(int l, OffsetMemory memory, const Profile& profile) {
-  const bool is_there = sets_parameters(l) || sets_work_offset(l) || l == kToolLifeData ||
-                        sets_table_offset(l, profile) || find_offset_form(l, memory) != nullptr;
-  return is_there ? std::nullopt
-                  : MaybeWrong(WrongValue{AlarmId::DataInputFormat,
-                                          fmt::format("G10 has no L{} here", l)});
-}
-
 MaybeWrong missing_offset_word(bool has_p, bool has_r) {
   return !has_p   ? MaybeWrong(WrongValue{AlarmId::DataInputFormat, "P is missing"})
          : !has_r ? MaybeWrong(WrongValue{AlarmId::NoValueInG10, "R is missing"})

@@ -26,11 +26,7 @@ constexpr bool sets_parameters(int l) {
 constexpr bool sets_work_offset(int l) {
   return l == 2 || l == 20;
 }
-/// G10 L21, of controls with G54.2.
-bool sets_table_offset(int l, const Profile& profile);
 
-/// L of G10.
-MaybeWrong wrong_data_kind(int l, runtime::OffsetMemory memory, const Profile& profile);
 /// Of a tool offset.
 MaybeWrong missing_offset_word(bool has_p, bool has_r);
 /// P of G10 L2 and L20, and of tool offsets.

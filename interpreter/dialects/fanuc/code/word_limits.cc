@@ -66,10 +66,6 @@ MaybeWrong wrong_part_error(int number, GNumber code) {
                                  : std::nullopt;
 }
 
-WrongValue unknown_code(double number) {
-  return {AlarmId::ImproperGCode, fmt::format("the control has no G{}", number)};
-}
-
 MaybeWrong wrong_dwell(double seconds) {
   return seconds < 0.0 ? wrong(AlarmId::IllegalMinus, "a dwell cannot be negative") : std::nullopt;
 }
@@ -107,13 +103,6 @@ MaybeWrong wrong_scale(double factor, bool by_axis) {
 
 MaybeWrong wrong_plane_form(int number) {
   return is_out(number, 0, 4) ? wrong(AlarmId::TiltedPlaneFormat, "P is 0 to 4") : std::nullopt;
-}
-
-MaybeWrong wrong_holes(int times, char letter) {
-  constexpr int kMost = 9999;
-  return is_out(times, 0, kMost)
-             ? wrong(AlarmId::IllegalAddress, fmt::format("{} is 0 to {}", letter, kMost))
-             : std::nullopt;
 }
 
 MaybeWrong wrong_corner(double size) {

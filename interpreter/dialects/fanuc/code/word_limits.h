@@ -54,8 +54,6 @@ MaybeWrong wrong_work_system(int number, GNumber code);
 /// P of G54.2 and G54.4.
 MaybeWrong wrong_part_error(int number, GNumber code);
 
-/// Of a G code that the control has not.
-WrongValue unknown_code(double number);
 /// Whether P of G04 is in seconds, else in milliseconds (MB-285).
 inline bool is_dwell_in_seconds(const EvaluatedWord& p, const Profile& profile) {
   return p.form != syntax::ValueForm::Integer && profile.dwell_point_is_seconds;
@@ -84,8 +82,6 @@ inline bool is_scale_factor(const EvaluatedWord& word, const Profile& profile) {
 MaybeWrong wrong_scale(double factor, bool by_axis);
 /// P of G68.2.
 MaybeWrong wrong_plane_form(int number);
-/// Repeats of a canned cycle.
-MaybeWrong wrong_holes(int times, char letter);
 /// ,C and ,R.
 MaybeWrong wrong_corner(double size);
 /// A second one of them in a block.

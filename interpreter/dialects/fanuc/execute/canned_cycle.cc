@@ -7,6 +7,7 @@
 namespace g31::fanuc {
 namespace {
 
+constexpr int kMostRepeats = 9999;
 constexpr double kMostPecks = 1e5;  // more is a slip of the keyboard
 
 /// The plane that a cycle positions in; its third axis drills.
@@ -206,12 +207,11 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
     data.q = std::abs(control.scale.length_mm(*q));
   }
   if (const EvaluatedWord* const p = block.words.find('P')) {
-    const bool is_in_seconds = is_dwell_in_seconds(*p, control.profile);
-    const auto milliseconds = is_in_seconds ? Result<int, Failure>(0) : integer_of(*p);
-    if (!milliseconds) {
-      return milliseconds.error();
+    const auto seconds = dwell_seconds(control, *p);
+    if (!seconds) {
+      return seconds.error();
     }
-    data.dwell_s = is_in_seconds ? p->number : milliseconds.value() / 1000.0;
+    data.dwell_s = seconds.value();
     if (auto failure = at_word(wrong_dwell(data.dwell_s), *p)) {
       return failure;
     }
@@ -226,7 +226,11 @@ Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
   if (word == nullptr) {
     return 1;
   }
-  return integer_within(*word, [letter](int times) { return wrong_holes(times, letter); });
+  const auto number = integer_of(*word);
+  if (number && (number.value() < 0 || number.value() > kMostRepeats)) {
+    return at_word(AlarmId::IllegalAddress, *word, fmt::format("{} is 0 to 9999", letter));
+  }
+  return number;
 }
 
 /// Rapid to the place of the next hole; the drilling axis waits, and a changed tool offset with it.

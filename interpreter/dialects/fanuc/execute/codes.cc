@@ -114,7 +114,8 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
   }
   const GCode* const code = find_g_code(word.number);
   if (code == nullptr || !has_g_code(control.profile, *code)) {
-    return at_word(unknown_code(word.number), word);
+    return at_word(AlarmId::ImproperGCode, word,
+                   fmt::format("the control has no G{}", word.number));
   }
   if (code->action == GAction::Refused) {
     return at_word(AlarmId::ImproperGCode, word,

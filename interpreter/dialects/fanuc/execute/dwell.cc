@@ -13,20 +13,25 @@ bool counts_turns(const Control& control) {
 
 }  // namespace
 
+Result<double, Failure> dwell_seconds(const Control& control, const EvaluatedWord& p) {
+  if (is_dwell_in_seconds(p, control.profile)) {
+    return p.number;
+  }
+  const auto milliseconds = integer_of(p);
+  return milliseconds ? Result<double, Failure>(milliseconds.value() / 1000.0)
+                      : milliseconds.error();
+}
+
 /// G04: X or U in seconds, P in milliseconds, or as many turns of the spindle; without any of them
 /// a block that takes no time (MB-285).
 MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
   double seconds = 0.0;
   if (const EvaluatedWord* const p = block.words.find('P')) {
-    if (is_dwell_in_seconds(*p, control.profile)) {
-      seconds = p->number;
-    } else {
-      const auto milliseconds = integer_of(*p);
-      if (!milliseconds) {
-        return milliseconds.error();
-      }
-      seconds = milliseconds.value() / 1000.0;
+    const auto by_p = dwell_seconds(control, *p);
+    if (!by_p) {
+      return by_p.error();
     }
+    seconds = by_p.value();
   }
   for (const char letter : {'X', 'U'}) {
     if (const EvaluatedWord* const word = block.words.find(letter)) {

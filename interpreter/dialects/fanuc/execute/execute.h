@@ -143,5 +143,8 @@ Result<int, Failure> integer_within(const EvaluatedWord& word, Limit limit) {
   auto wrong = number ? limit(number.value()) : std::nullopt;
   return wrong ? at_word(*std::move(wrong), word) : number;
 }
+/// P of G04 and of hole cycles, in s: milliseconds, or seconds with a point on some controls
+/// (MB-285).
+Result<double, Failure> dwell_seconds(const Control& control, const EvaluatedWord& p);
 
 }  // namespace g31::fanuc

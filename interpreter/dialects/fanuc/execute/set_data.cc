@@ -90,10 +90,7 @@ MaybeFailure set_table_offset(Control& control, const NcBlock& block) {
 MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   control.use_measured();
   const EvaluatedWord* const word = block.words.find('L');
-  const auto limit = [&control](int given) {
-    return wrong_data_kind(given, control.offsets.memory(), control.profile);
-  };
-  const auto l = word != nullptr ? integer_within(*word, limit) : Result<int, Failure>(kUsualData);
+  const auto l = word != nullptr ? integer_of(*word) : Result<int, Failure>(kUsualData);
   if (!l) {
     return l.error();
   }
@@ -112,9 +109,15 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   if (sets_work_offset(l.value())) {
     return set_work_offset(control, block, l.value());
   }
+  constexpr int kTableOffset = 21;
+  constexpr GNumber kTableOffsetCode{54, 2};
+  if (l.value() == kTableOffset && has_g_code(control.profile, *find_g_code(kTableOffsetCode))) {
+    return set_table_offset(control, block);
+  }
   const OffsetForm* const form = find_offset_form(l.value(), control.offsets.memory());
   return form != nullptr ? set_tool_offset(control, block, *form)
-                         : set_table_offset(control, block);
+                         : at_word(AlarmId::DataInputFormat, *word,
+                                   fmt::format("G10 has no L{} here", l.value()));
 }
 
 }  // namespace g31::fanuc
