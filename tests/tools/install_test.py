@@ -164,6 +164,15 @@ class InstalledTree(unittest.TestCase):
             for library in ("assimp", "httplib", "crypto", "TKSTEP"):
                 self.assertEqual(any(library in line for line in libraries), library == held, f"{tool}: {library}")
 
+    def test_no_library_is_looked_for_in_the_folder_where_the_program_is_called(self):
+        built = pathlib.Path(BUILD) / "tools"
+        for root, program in ((built, "cli/g31"), (self.root, "bin/g31")):
+            for binary in (root / program, *(root / "lib/g31/modules").glob("*.so")):
+                wanted = subprocess.run(["objdump", "-p", binary], capture_output=True, text=True, check=True)
+                paths = [words[1] for words in map(str.split, wanted.stdout.splitlines())
+                         if words[:1] in (["RPATH"], ["RUNPATH"])]
+                self.assertEqual(paths, ["$ORIGIN/../lib/g31/modules"] if binary == root / program else [])
+
     def complete(self, *words):
         script = self.root / "share/bash-completion/completions/g31"
         run = subprocess.run(["bash", "-c", COMPLETE, "bash", script, *words], cwd=self.root,

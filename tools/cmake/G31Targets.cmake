@@ -103,7 +103,7 @@ function(g31_module name)
   cmake_parse_arguments(arg "" "OF" "SOURCES;DEPENDS" ${ARGN})
   add_library(${name} MODULE ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${G31_MODULES}
-    INSTALL_RPATH "")  # that of the program holds
+    BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "")  # that of the program holds
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_features(${name} PRIVATE cxx_std_20)
   g31_compile_quickly(${name})
