@@ -47,8 +47,8 @@ runtime::ProgramView Outlet::view_of(const AxisPositions& q_M,
 
 /// What came behind a move that ended in a fault did not take place.
 /// @param move  that was asked for; the fault may be of an earlier one
-std::optional<machine::MachineFault> Outlet::told(std::optional<machine::MachineFault> fault,
-                                                  const std::optional<runtime::MoveEvent>& move) {
+machine::MaybeFault Outlet::told(machine::MaybeFault fault,
+                                 const std::optional<runtime::MoveEvent>& move) {
   if (!fault) {
     return fault;
   }
@@ -109,18 +109,18 @@ std::optional<std::vector<runtime::CallLevel>> Outlet::levels_of(std::uint64_t n
              : std::nullopt;
 }
 
-std::optional<machine::MachineFault> Outlet::stand_still() {
+machine::MaybeFault Outlet::stand_still() {
   port_.stand_still();
   return told(port_.take_late_fault());
 }
 
-std::optional<machine::MachineFault> Outlet::come_to_rest() {
+machine::MaybeFault Outlet::come_to_rest() {
   port_.come_to_rest();
   return told(port_.take_late_fault());
 }
 
 template <typename Move>
-std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
+machine::MaybeFault Outlet::carry_out(const Move& move, const PathBlock& block) {
   block.feed_mm_min == 0.0 || block.g == 0 ? stop_cutting() : cut();
   const auto reached = port_.move(move);
   const runtime::MoveEvent event{block.g, move.q_M_end, block.feed_mm_min, 0.0, block.where};
@@ -133,8 +133,7 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
   return std::nullopt;
 }
 
-std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
-                                                  const OffsetPlane& plane) {
+machine::MaybeFault Outlet::move(const PathBlock& block, const OffsetPlane& plane) {
   begin_calls(block.calls > 0 ? block.calls : calls_now());
   const machine::MoveTag tag = tag_of(moves_, block.where);
   const machine::AxisTransformPtr& transform = block.of_axes ? kUnled
@@ -174,7 +173,7 @@ void Outlet::cut() {
   }
 }
 
-std::optional<machine::MachineFault> Outlet::pause(const Pause& pause) {
+machine::MaybeFault Outlet::pause(const Pause& pause) {
   stop_cutting();
   if (auto late = stand_still()) {
     return late;

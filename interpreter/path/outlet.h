@@ -37,16 +37,16 @@ class Outlet {
   /// Moves the axes along a block: at rapid with g = 0, else at feed.
   /// @param plane  of an arc
   /// @returns the machine's fault; then the observer hears of no move
-  std::optional<machine::MachineFault> move(const PathBlock& block, const OffsetPlane& plane);
+  machine::MaybeFault move(const PathBlock& block, const OffsetPlane& plane);
 
   /// @returns the fault of a move before it that passed on: then there is no pause; or what axes
   ///          that lag have met meanwhile
-  std::optional<machine::MachineFault> pause(const Pause& pause);
+  machine::MaybeFault pause(const Pause& pause);
 
   /// Waits until the axes stand.  @returns the fault of a move that passed on
-  std::optional<machine::MachineFault> stand_still();
+  machine::MaybeFault stand_still();
   /// The same at the end of a program, when axes that lag still arrive.
-  std::optional<machine::MachineFault> come_to_rest();
+  machine::MaybeFault come_to_rest();
 
   /// A program level has begun or ended: blocks from now on have other calls behind them.
   void calls_changed() { calls_are_old_ = true; }
@@ -94,11 +94,10 @@ class Outlet {
 
  private:
   template <typename Move>
-  std::optional<machine::MachineFault> carry_out(const Move& move, const PathBlock& block);
+  machine::MaybeFault carry_out(const Move& move, const PathBlock& block);
 
-  std::optional<machine::MachineFault> told(
-      std::optional<machine::MachineFault> fault,
-      const std::optional<runtime::MoveEvent>& move = std::nullopt);
+  machine::MaybeFault told(machine::MaybeFault fault,
+                           const std::optional<runtime::MoveEvent>& move = std::nullopt);
   [[nodiscard]] runtime::ProgramView view_of(const AxisPositions& q_M,
                                              const AxisPositions& q_M_commanded) const;
   void cut();

@@ -56,7 +56,8 @@ std::span<const DiagnosticInfo> diagnostics();
 const DiagnosticInfo& info(DiagnosticId id);
 
 /// A diagnostic of row `id`; `detail` fills the row's {}.
-Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view detail = {});
+[[gnu::cold]] Diagnostic make_diagnostic(DiagnosticId id, Location where,
+                                         std::string_view detail = {});
 
 /// The place of a diagnostic, in a program or in the sheet.
 ShownPlace place_of(const Diagnostic& diagnostic, const SourceMap& sources);

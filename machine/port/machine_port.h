@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "machine/base/rare.h"
 #include "machine/base/result.h"
 #include "machine/port/axis_data.h"
 #include "machine/port/axis_transform.h"
@@ -169,6 +170,8 @@ struct MachineFault {
   /// Of an earlier move, where it was found late; nullopt: of the one that was asked for.
   std::optional<MoveTag> tag = std::nullopt;
 };
+/// nullopt: the axes went where they were told.
+using MaybeFault = Rare<MachineFault>;
 
 /// Everything a running NC program may ask of a machine, and nothing else.
 ///
@@ -230,7 +233,7 @@ class MachinePort {
 
   /// The fault of a move that passed on, found where the machine could not return it; once.  Until
   /// somebody has taken it, from here or from the next move, the machine does nothing.
-  virtual std::optional<MachineFault> take_late_fault() { return std::nullopt; }
+  virtual MaybeFault take_late_fault() { return std::nullopt; }
 
   /// What holds of the axes until a control says otherwise.
   [[nodiscard]] virtual AxisData axis_data() const { return {}; }

@@ -86,7 +86,7 @@ bool MachiningCentre::passes_on(const LinearMove& rapid) const {
          joins({rapid.ends, rapid.contour_control, rapid.tag});
 }
 
-std::optional<MachineFault> MachiningCentre::fault_on(const LedPath& path) const {
+MaybeFault MachiningCentre::fault_on(const LedPath& path) const {
   if (!path.leads()) {
     return MachineFault{FaultKind::SoftLimit,
                         "the linear axes do not lead along the way as the rotary axes turn", q_M_,
@@ -306,8 +306,7 @@ std::optional<Obstacle> MachiningCentre::obstacle_on(const Curve& path, Travel t
 }
 template std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath&, Travel);
 
-std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath& path,
-                                                       const LinearMove& move) {
+MaybeFault MachiningCentre::carry_out(const StraightPath& path, const LinearMove& move) {
   const Travel travel = move.traverse == Traverse::Rapid ? Travel::Rapid : Travel::Feed;
   const Carriage how{travel, move.ends};
   if (const auto independent = dynamics_.independent_path(path, move)) {
@@ -317,8 +316,8 @@ std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath& path,
 }
 
 template <typename Path, typename Profile>
-std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const Profile& profile,
-                                                       const Carriage& how) {
+MaybeFault MachiningCentre::carry_out(const Path& path, const Profile& profile,
+                                      const Carriage& how) {
   stand_still();
   if (late_) {
     return take_late_fault();
@@ -333,9 +332,8 @@ std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const P
 }
 
 template <typename Path, typename Profile>
-std::optional<MachineFault> MachiningCentre::carry_out_ideally(const Path& path,
-                                                               const Profile& profile,
-                                                               const Carriage& how) {
+MaybeFault MachiningCentre::carry_out_ideally(const Path& path, const Profile& profile,
+                                              const Carriage& how) {
   if (surroundings_ != nullptr) {
     auto obstacle = obstacle_on(path, how.travel);
     if (obstacle) {
@@ -356,18 +354,14 @@ std::optional<MachineFault> MachiningCentre::carry_out_ideally(const Path& path,
   return std::nullopt;
 }
 
-template std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath&,
-                                                                const MotionProfile&,
-                                                                const Carriage&);
-template std::optional<MachineFault> MachiningCentre::carry_out(const ArcPath&,
-                                                                const MotionProfile&,
-                                                                const Carriage&);
-template std::optional<MachineFault> MachiningCentre::carry_out(const LedPath&,
-                                                                const MotionProfile&,
-                                                                const Carriage&);
+template MaybeFault MachiningCentre::carry_out(const StraightPath&, const MotionProfile&,
+                                               const Carriage&);
+template MaybeFault MachiningCentre::carry_out(const ArcPath&, const MotionProfile&,
+                                               const Carriage&);
+template MaybeFault MachiningCentre::carry_out(const LedPath&, const MotionProfile&,
+                                               const Carriage&);
 
-std::optional<MachineFault> MachiningCentre::carry_out_really(const ServoMotion& motion,
-                                                              const Carriage& how) {
+MaybeFault MachiningCentre::carry_out_really(const ServoMotion& motion, const Carriage& how) {
   if (surroundings_ != nullptr) {
     auto obstacle = real_.first_obstacle(motion, how, *surroundings_);
     if (obstacle) {
@@ -378,15 +372,14 @@ std::optional<MachineFault> MachiningCentre::carry_out_really(const ServoMotion&
   return std::nullopt;
 }
 
-std::optional<MachineFault> MachiningCentre::break_off(const ServoMotion& motion,
-                                                       Timed<Obstacle> obstacle) {
+MaybeFault MachiningCentre::break_off(const ServoMotion& motion, Timed<Obstacle> obstacle) {
   const AxisPositions q_M_stop = motion.encoder_at(obstacle.time_s);
   follow(motion, obstacle.time_s);
   real_.stop_at(q_M_stop);
   return stop_at(std::move(obstacle.event), q_M_stop, 0.0);
 }
 
-std::optional<MachineFault> MachiningCentre::wait_really(double seconds) {
+MaybeFault MachiningCentre::wait_really(double seconds) {
   const ServoMotion motion = real_.motion(StraightPath(q_M_, q_M_), {});
   const double moves_s = std::min(seconds, RealAxes::rests_s(motion));
   if (surroundings_ != nullptr && moves_s > 0.0) {

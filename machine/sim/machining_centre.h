@@ -74,7 +74,7 @@ class MachiningCentre final : public MachinePort {
   [[nodiscard]] AxisData axis_data() const override { return axis_data_; }
   void set_axis_data(const AxisData& data) override;
   void compensate(const std::vector<CompensationTable>& tables) override;
-  std::optional<MachineFault> take_late_fault() override;
+  MaybeFault take_late_fault() override;
   [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
     return limits_.of(axis);
   }
@@ -97,40 +97,36 @@ class MachiningCentre final : public MachinePort {
   void tell(const MachineEvent& event);
   void tell_time() const;
   /// What the way that a skip move took, of axes and tool tip, has broken.
-  std::optional<MachineFault> damage(const RealAxes::Encoders& went, const Waypoint& tip_from);
+  MaybeFault damage(const RealAxes::Encoders& went, const Waypoint& tip_from);
   Result<SkipOutcome, MachineFault> skip_led(const LedPath& path, const SkipMove& move);
-  [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
+  [[nodiscard, gnu::cold]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   Result<AxisPositions, MachineFault> move_led(const LedPath& path, const LinearMove& move);
-  [[nodiscard]] std::optional<MachineFault> fault_on(const LedPath& path) const;
-  MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
+  [[nodiscard]] MaybeFault fault_on(const LedPath& path) const;
+  [[gnu::cold]] MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop,
+                                     double seconds);
   std::optional<Obstacle> obstacle_on(const StraightPath& path, Travel travel);
   template <typename Curve>
   std::optional<Obstacle> obstacle_on(const Curve& path, Travel travel);
 
   // All the way along, or until something is in it.
-  std::optional<MachineFault> carry_out(const StraightPath& path, const LinearMove& move);
+  MaybeFault carry_out(const StraightPath& path, const LinearMove& move);
   template <typename Path, typename Profile>
-  std::optional<MachineFault> carry_out(const Path& path, const Profile& profile,
-                                        const Carriage& how);
+  MaybeFault carry_out(const Path& path, const Profile& profile, const Carriage& how);
   template <typename Path, typename Profile>
-  std::optional<MachineFault> carry_out_ideally(const Path& path, const Profile& profile,
-                                                const Carriage& how);
-  std::optional<MachineFault> carry_out_really(const ServoMotion& motion, const Carriage& how);
-  std::optional<MachineFault> break_off(const ServoMotion& motion, Timed<Obstacle> obstacle);
+  MaybeFault carry_out_ideally(const Path& path, const Profile& profile, const Carriage& how);
+  MaybeFault carry_out_really(const ServoMotion& motion, const Carriage& how);
+  MaybeFault break_off(const ServoMotion& motion, Timed<Obstacle> obstacle);
   // What lags comes to its place while the program waits.
-  std::optional<MachineFault> wait_really(double seconds);
+  MaybeFault wait_really(double seconds);
 
   template <typename Path>
-  std::optional<MachineFault> feed(const Path& path, const PathLimits& limits,
-                                   const Passing& passing);
+  MaybeFault feed(const Path& path, const PathLimits& limits, const Passing& passing);
   // A move that the one before may have passed on into, and that may pass on itself.
   [[nodiscard]] bool joins(const Passing& passing) const;
   [[nodiscard]] bool passes_on(const LinearMove& rapid) const;
   template <typename Path>
-  std::optional<MachineFault> pass_on(const Path& path, const PathLimits& limits,
-                                      const Passing& passing);
-  std::optional<MachineFault> keep_feed(const CommandedPath& path, const MotionPhases& phases,
-                                        BlockEnd ends);
+  MaybeFault pass_on(const Path& path, const PathLimits& limits, const Passing& passing);
+  MaybeFault keep_feed(const CommandedPath& path, const MotionPhases& phases, BlockEnd ends);
   template <typename Path>
   std::optional<Obstacle> obstacle_in_passing(const Path& path, const PathLimits& limits);
   void pass(const ContinuousPath::Passed& passed);
@@ -171,9 +167,9 @@ class MachiningCentre final : public MachinePort {
   Surroundings* surroundings_;
   Clock clock_;
   ContinuousPath continuous_;
-  bool keeps_feed_ = false;           // the last move did, and nothing has happened since
-  std::optional<MachineFault> late_;  // of a move that passed on, until somebody can be told
-  mutable double told_s_ = 0.0;       // the last time that the surroundings were told
+  bool keeps_feed_ = false;      // the last move did, and nothing has happened since
+  MaybeFault late_;              // of a move that passed on, until somebody can be told
+  mutable double told_s_ = 0.0;  // the last time that the surroundings were told
   AxisPositions q_M_;
   AxisPositions resolution_;  // of the encoders; 0: no steps
   RealAxes real_;

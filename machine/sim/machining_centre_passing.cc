@@ -40,7 +40,7 @@ void MachiningCentre::come_to_rest() {
   }
 }
 
-std::optional<MachineFault> MachiningCentre::take_late_fault() {
+MaybeFault MachiningCentre::take_late_fault() {
   return std::exchange(late_, std::nullopt);
 }
 
@@ -54,8 +54,8 @@ double MachiningCentre::time_s() const {
 }
 
 template <typename Path>
-std::optional<MachineFault> MachiningCentre::feed(const Path& path, const PathLimits& limits,
-                                                  const Passing& passing) {
+MaybeFault MachiningCentre::feed(const Path& path, const PathLimits& limits,
+                                 const Passing& passing) {
   if (joins(passing)) {
     return pass_on(path, limits, passing);
   }
@@ -68,12 +68,9 @@ std::optional<MachineFault> MachiningCentre::feed(const Path& path, const PathLi
   const MotionProfile profile(path.length(), limits.speed, limits.acceleration, limits.jerk);
   return carry_out(path, profile, {Travel::Feed, passing.ends, passing.contour_control});
 }
-template std::optional<MachineFault> MachiningCentre::feed(const StraightPath&, const PathLimits&,
-                                                           const Passing&);
-template std::optional<MachineFault> MachiningCentre::feed(const ArcPath&, const PathLimits&,
-                                                           const Passing&);
-template std::optional<MachineFault> MachiningCentre::feed(const LedPath&, const PathLimits&,
-                                                           const Passing&);
+template MaybeFault MachiningCentre::feed(const StraightPath&, const PathLimits&, const Passing&);
+template MaybeFault MachiningCentre::feed(const ArcPath&, const PathLimits&, const Passing&);
+template MaybeFault MachiningCentre::feed(const LedPath&, const PathLimits&, const Passing&);
 
 bool MachiningCentre::joins(const Passing& passing) const {
   const bool plans = !real_.lag() || passing.contour_control != ContourControl::Off;
@@ -81,8 +78,8 @@ bool MachiningCentre::joins(const Passing& passing) const {
 }
 
 /// Acceleration after interpolation: the command steps to the feed and from it, the axes smooth it.
-std::optional<MachineFault> MachiningCentre::keep_feed(const CommandedPath& path,
-                                                       const MotionPhases& phases, BlockEnd ends) {
+MaybeFault MachiningCentre::keep_feed(const CommandedPath& path, const MotionPhases& phases,
+                                      BlockEnd ends) {
   end_passing();
   if (late_) {
     return take_late_fault();
@@ -105,8 +102,8 @@ double MachiningCentre::speed_at_corner(const ContinuousPath::Move& behind,
 }
 
 template <typename Path>
-std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const PathLimits& limits,
-                                                     const Passing& passing) {
+MaybeFault MachiningCentre::pass_on(const Path& path, const PathLimits& limits,
+                                    const Passing& passing) {
   const double length = path.length();
   ContinuousPath::Move move{length, limits, 0.0, path.slope_at(1.0) / length,
                             passing.corner_tolerance};

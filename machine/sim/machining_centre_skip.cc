@@ -89,8 +89,7 @@ Result<SkipOutcome, MachineFault> MachiningCentre::skip_led(const LedPath& path,
   return signalled ? *std::move(signalled) : SkipOutcome(NoTouch{});
 }
 
-std::optional<MachineFault> MachiningCentre::damage(const RealAxes::Encoders& went,
-                                                    const Waypoint& tip_from) {
+MaybeFault MachiningCentre::damage(const RealAxes::Encoders& went, const Waypoint& tip_from) {
   if (surroundings_ == nullptr) {
     return std::nullopt;
   }

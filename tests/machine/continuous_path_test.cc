@@ -415,13 +415,13 @@ TEST(ContinuousPath, AFaultThatIsFoundLateSaysWhoseItIs) {
     Wall world(block - 0.2);
     MachiningCentre centre(lagging(1.0 / 30.0), block > 0 ? &world : nullptr);
     MachiningCentre& used = block > 0 ? centre : free;
-    std::optional<MachineFault> fault;
+    MaybeFault fault;
     int i = 0;
     while (!fault && ++i <= kBlocks) {
       LinearMove move = contour(axes(i, 0, 0), ContourControl::LookAhead);
       move.tag = {static_cast<std::uint64_t>(i), 0, 0};
       const auto reached = used.move(move);
-      fault = reached ? std::nullopt : std::optional(reached.error());
+      fault = reached ? std::nullopt : MaybeFault(reached.error());
     }
     used.stand_still();
     if (block == 0) {

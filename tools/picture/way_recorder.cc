@@ -136,7 +136,7 @@ void WayRecorder::turn_spindle(const machine::SpindleTurn& turn) {
   }
 }
 
-std::optional<machine::MachineFault> WayRecorder::take_late_fault() {
+machine::MaybeFault WayRecorder::take_late_fault() {
   auto fault = machine_.take_late_fault();
   if (fault) {
     mark(*fault);

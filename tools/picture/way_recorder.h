@@ -59,7 +59,7 @@ class WayRecorder final : public machine::MachinePort {
   void dwell(double seconds) override { machine_.dwell(seconds); }
   void stand_still() override { machine_.stand_still(); }
   void come_to_rest() override { machine_.come_to_rest(); }
-  std::optional<machine::MachineFault> take_late_fault() override;
+  machine::MaybeFault take_late_fault() override;
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
     return machine_.travel(axis);
   }

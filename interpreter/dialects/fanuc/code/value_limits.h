@@ -81,7 +81,7 @@ inline bool fits_address(double number, std::uint8_t digits, int most) {
   return digits <= most && std::abs(number) <= kLargestWord;
 }
 /// Of one that it does not take.
-WrongValue wrong_word(char letter, double number, std::uint8_t digits, int most);
+[[gnu::cold]] WrongValue wrong_word(char letter, double number, std::uint8_t digits, int most);
 
 /// The format of an output statement.
 std::optional<WrongValue> wrong_output(OutputStatement statement, const OutputRule& rule,

@@ -34,7 +34,7 @@ inline bool fits_plain_word(const EvaluatedWord& word) {
   }
 }
 /// Of one that does not.
-WrongValue wrong_plain_word(const EvaluatedWord& word);
+[[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word);
 
 /// Of a letter that is none in G65 and the like (argument_letters.h).
 WrongValue no_argument(char letter);

@@ -117,19 +117,19 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
                                                              const machine::SkipMove& move);
 
 /// A fault of the machine as the end of the program.
-Failure from_fault(const machine::MachineFault& fault);
+[[gnu::cold]] Failure from_fault(const machine::MachineFault& fault);
 /// Of a move that passed on; the coordinates are where the machine stopped.
-Failure from_late_fault(Control& control, const machine::MachineFault& fault);
+[[gnu::cold]] Failure from_late_fault(Control& control, const machine::MachineFault& fault);
 
 /// A failure of the whole block.
-Failure block_failure(AlarmId id, std::string detail = {});
+[[gnu::cold]] Failure block_failure(AlarmId id, std::string detail = {});
 
 /// A failure at a place of the block.
-Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail);
+[[gnu::cold]] Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail);
 
 /// A failure at a word.
-Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
-Failure at_word(WrongValue wrong, const EvaluatedWord& word);
+[[gnu::cold]] Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
+[[gnu::cold]] Failure at_word(WrongValue wrong, const EvaluatedWord& word);
 /// The same of what may be right.
 MaybeFailure at_word(MaybeWrong wrong, const EvaluatedWord& word);
 

@@ -6,7 +6,7 @@
 namespace g31::fanuc {
 
 /// Why the statement ends whose evaluation has failed.
-inline Failure evaluation_failure(Evaluator& evaluator) {
+[[gnu::cold]] inline Failure evaluation_failure(Evaluator& evaluator) {
   const auto fault = evaluator.take_fault();
   Failure failure;
   failure.id = fault->id;

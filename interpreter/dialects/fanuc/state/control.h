@@ -73,14 +73,16 @@ struct Control : ControlState {
 
   /// Warns of what a block did.  When the block does it again, only the count of the warning grows:
   /// a loop may do it a million times.
-  void warn(source::DiagnosticId id, source::Location where);
+  [[gnu::cold]] void warn(source::DiagnosticId id, source::Location where);
   /// Of a move that listens to a sensor so placed.
-  void warn_of(const std::optional<machine::SensorState>& sensor, source::Location where);
+  [[gnu::cold]] void warn_of(const std::optional<machine::SensorState>& sensor,
+                             source::Location where);
   /// Says at each warning how often it happened; to be called once, at the end.
   void tell_repeats();
 
   /// Warns of something that g31 does not simulate, at its first place only.
-  void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});
+  [[gnu::cold]] void warn_once(source::DiagnosticId id, source::Location where,
+                               std::string_view detail = {});
 
   /// How a move at feed ends: G09 and G61 stop exactly, unless #3004 bit 2 forbids it.
   [[nodiscard]] machine::BlockEnd feed_end() const;

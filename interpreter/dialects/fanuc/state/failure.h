@@ -12,6 +12,7 @@
 #include "interpreter/source/diagnostic.h"
 #include "interpreter/source/location.h"
 #include "interpreter/syntax/tree.h"
+#include "machine/base/rare.h"
 
 namespace g31::fanuc {
 
@@ -32,10 +33,10 @@ struct Failure {
 };
 
 /// nullopt: the block was executed.
-using MaybeFailure = std::optional<Failure>;
+using MaybeFailure = Rare<Failure>;
 
 /// The end of a run that its watch halts.
-inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
+[[gnu::cold]] inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
   Failure failure;
   failure.status = runtime::status_of(halt);
   failure.alarm_number = static_cast<int>(runtime::message_of(halt));

@@ -230,20 +230,8 @@ void Parser::expect_end(Block& block) {
 void Parser::words(Block& block) {
   block.kind = BlockKind::Nc;
   do {
-    plain_words();
+    scanner_.plain_words(tree_.words);
   } while (word());
-}
-
-void Parser::plain_words() {
-  for (;;) {
-    const std::uint32_t begin = scanner_.position();
-    Word& word = tree_.words.emplace_back();  // a copy would wait for its parts
-    if (!scanner_.plain_word(word)) {
-      tree_.words.pop_back();
-      return;
-    }
-    word.span = {begin, scanner_.position()};
-  }
 }
 
 /// However it is written.

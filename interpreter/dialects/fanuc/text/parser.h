@@ -47,7 +47,6 @@ class Parser {
   void condition_alone(syntax::Block& block);
   void assignment(syntax::Block& block);
   void words(syntax::Block& block);
-  void plain_words();
   bool word();
   void word_value(syntax::Word& word);
   syntax::Index computed_value();

@@ -197,39 +197,51 @@ std::int32_t Scanner::plain_integer() {
   return number;
 }
 
-bool Scanner::plain_word(syntax::Word& word) {
-  const std::string_view text = text_;  // what is looked at is kept out of memory
+void Scanner::plain_words(std::vector<syntax::Word>& words) {
+  // Kept out of memory while words follow.
+  const char* const text = text_.data();
   std::size_t at = at_;
-  const char letter = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
-  if (!is_letter(letter)) {
-    return false;
+  const auto shown = [&] { return kShown[static_cast<unsigned char>(text[at])]; };
+  while (at < last_line_end_) {
+    const std::size_t begin = at;
+    const char letter = shown();
+    if (!is_letter(letter)) {
+      break;
+    }
+    ++at;
+    const bool is_negative = text[at] == '-';
+    at += is_negative ? 1U : 0U;
+    std::uint64_t mantissa = 0;
+    const std::size_t number = at;
+    syntax::take_digits_before_end(text, at, mantissa);
+    std::size_t digits = at - number;
+    const bool has_point = text[at] == '.';
+    at += has_point ? 1U : 0U;
+    const std::size_t behind_point = at;
+    if (has_point) {
+      syntax::take_digits_before_end(text, at, mantissa);
+    }
+    const std::size_t decimals = at - behind_point;
+    digits += decimals;
+    at += text[at] == ' ' ? 1U : 0U;
+    at += text[at] == '\r' && text[at + 1] == '\n' ? 1U : 0U;
+    // A digit or a point behind a blank would belong to the number.
+    const char next = shown();
+    const bool ends_plainly = is_letter(next) || next == '\n';
+    if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly) {
+      at = begin;
+      break;
+    }
+    const double value = syntax::decimal(mantissa, static_cast<int>(decimals));
+    syntax::Word& word = words.emplace_back();  // a copy would wait for its parts
+    word.letter = letter;
+    word.form = has_point ? syntax::ValueForm::Decimal : syntax::ValueForm::Integer;
+    word.digits = static_cast<std::uint8_t>(digits);
+    word.decimals = static_cast<std::uint8_t>(decimals);
+    word.number = is_negative ? -value : value;
+    word.span = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at)};
   }
-  ++at;
-  const bool is_negative = at < text.size() && text[at] == '-';
-  at += is_negative ? 1U : 0U;
-  std::uint64_t mantissa = 0;
-  const std::size_t begin = at;
-  syntax::take_digits(text, at, mantissa);
-  std::size_t digits = at - begin;
-  const bool has_point = at < text.size() && text[at] == '.';
-  at += has_point ? 1U : 0U;
-  const std::size_t behind_point = at;
-  if (has_point) {
-    syntax::take_digits(text, at, mantissa);
-  }
-  const std::size_t decimals = at - behind_point;
-  digits += decimals;
-  if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text, at)) {
-    return false;
-  }
-  const double value = syntax::decimal(mantissa, static_cast<int>(decimals));
-  word.letter = letter;
-  word.form = has_point ? syntax::ValueForm::Decimal : syntax::ValueForm::Integer;
-  word.digits = static_cast<std::uint8_t>(digits);
-  word.decimals = static_cast<std::uint8_t>(decimals);
-  word.number = is_negative ? -value : value;
   at_ = at;
-  return true;
 }
 
 char Scanner::corner_address() {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "interpreter/syntax/tree.h"
 
@@ -54,7 +56,8 @@ std::string digit_count(std::uint8_t digits);
 class Scanner {
  public:
   /// @param text must outlive the scanner and be shorter than 4 GiB
-  explicit Scanner(std::string_view text) : text_(text) {}
+  explicit Scanner(std::string_view text)
+      : text_(text), last_line_end_(std::max(text.rfind('\n') + 1, std::size_t{1}) - 1) {}
 
   [[nodiscard]] std::uint32_t position() const { return static_cast<std::uint32_t>(at_); }
   [[nodiscard]] bool at_end_of_text() const { return at_ >= text_.size(); }
@@ -101,14 +104,13 @@ class Scanner {
   /// A number without sign, or nullopt where none begins.
   std::optional<ScannedNumber> number();
 
-  /// Steps over an address and its number where they stand as in nearly every block of a long
-  /// program: without anything between them, one blank behind them at most, and a number that is
-  /// exact.
-  /// @param word  all but its place; changed only where there is one
-  /// @returns whether there is one; else nothing is stepped over
-  bool plain_word(syntax::Word& word);
+  /// Steps over words as nearly every block of a long program has them, and appends them: an
+  /// address and its number without anything between them, one blank behind them at most, numbers
+  /// that are exact.  It ends before the first one that is written otherwise, and in the last line
+  /// where nothing ends that.
+  void plain_words(std::vector<syntax::Word>& words);
 
-  /// Steps over a whole number of eight digits at most that ends its word as plain_word() has it.
+  /// Steps over a whole number of eight digits at most that ends its word as plain_words() has it.
   /// @returns -1: there is none, and nothing is stepped over
   std::int32_t plain_integer();
 
@@ -137,6 +139,7 @@ class Scanner {
   void skip_comment();
 
   std::string_view text_;
+  std::size_t last_line_end_;  ///< before it no word ends with the text; 0: there is none
   std::size_t at_ = 0;
   syntax::ShortSpan comment_;
   char letters_[8] = {};

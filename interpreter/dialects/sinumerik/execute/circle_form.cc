@@ -117,7 +117,7 @@ MaybeFailure tangential(const Channel& channel, Circle& circle) {
   circle.is_straight = std::abs(area) < kNothing * chord.norm();
   if (circle.is_straight) {
     return along.dot(chord) > 0.0 ? std::nullopt
-                                  : std::optional(failure(AlarmId::CircleEnd, "CT straight back"));
+                                  : MaybeFailure(failure(AlarmId::CircleEnd, "CT straight back"));
   }
   circle.centre = circle.start + chord.squaredNorm() / (2.0 * area) * left_of(along);
   circle.turn = area < 0.0 ? Turn::Clockwise : Turn::Counterclockwise;

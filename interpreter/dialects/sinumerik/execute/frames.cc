@@ -55,7 +55,7 @@ MaybeFailure take_program_frame(Channel& channel) {
   channel.frames_changed();
   return channel.program_frame.is_within_limits()
              ? std::nullopt
-             : std::optional(failure(AlarmId::ValueOutOfLimits, "the programmable frame"));
+             : MaybeFailure(failure(AlarmId::ValueOutOfLimits, "the programmable frame"));
 }
 
 }  // namespace
@@ -84,10 +84,9 @@ MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GC
     given += present ? 1 : 0;
   }
   if (given != 2) {
-    return given == 1
-               ? program_frame(channel, block, code)
-               : std::optional(failure(AlarmId::UnexpectedParameter,
-                                       fmt::format("{} takes one or two angles", code.name)));
+    return given == 1 ? program_frame(channel, block, code)
+                      : MaybeFailure(failure(AlarmId::UnexpectedParameter,
+                                             fmt::format("{} takes one or two angles", code.name)));
   }
   const int first = (missing + 1) % 3;
   Frame frame;

@@ -104,7 +104,7 @@ MaybeFailure go_along(Channel& channel, const Block& block, bool with_path) {
       block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
   const auto feed = feed_in_force(channel, block, way);
   return feed ? pause(channel, {kSecondsPerMinute * way.length_mm / feed.value(), block.where})
-              : std::optional(feed.error());
+              : MaybeFailure(feed.error());
 }
 
 /// G74 W1=0: to the reference point, whatever the word says.

@@ -81,7 +81,7 @@ MaybeFailure cannot_position(const Channel& channel, int axis, const AxisPositio
   }
   const Plane plane = channel.plane();
   return channel.cutter.compensation.engaged() && (axis == plane.first || axis == plane.second)
-             ? std::optional(
+             ? MaybeFailure(
                    failure(AlarmId::NotImplemented,
                            fmt::format("POS[{}] in the plane of G41 and G42", kAxisLetters[axis])))
              : std::nullopt;

@@ -41,7 +41,7 @@ MaybeFailure pause_machine(Channel& channel, const Pause& wait) {
     return std::nullopt;
   }
   const auto late = channel.outlet.pause(wait);
-  return late ? std::optional(from_fault(*late)) : std::nullopt;
+  return late ? MaybeFailure(from_fault(*late)) : std::nullopt;
 }
 
 AlarmId alarm_of(path::CompensationError error, bool ends) {
@@ -90,7 +90,7 @@ constexpr int kMostIdleBlocks = 3;
 
 MaybeFailure too_idle(const Channel& channel) {
   return channel.cutter.compensation.idle_blocks() > kMostIdleBlocks
-             ? std::optional(failure(AlarmId::TooManyIdleBlocks))
+             ? MaybeFailure(failure(AlarmId::TooManyIdleBlocks))
              : std::nullopt;
 }
 

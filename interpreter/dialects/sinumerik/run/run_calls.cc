@@ -74,7 +74,7 @@ MaybeFailure Calls::call(const Op& op) {
   const auto program =
       programs_.called(site, site.name.empty() ? operands_.text(site.text) : site.name);
   if (!program) {
-    return passes_over(site) ? std::nullopt : std::optional(program.error());
+    return passes_over(site) ? std::nullopt : MaybeFailure(program.error());
   }
   std::vector<BoundValue> values = bound(site);
   if (site.is_modal) {

@@ -25,7 +25,7 @@ constexpr double kCounterclockwise = 3.0;
 MaybeFailure is_contour_table(const VariableView& table) {
   const bool fits = table.shape.dimensions == 2 && table.shape.size[1] == kColumns;
   return fits ? std::nullopt
-              : std::optional(failure(AlarmId::WrongDimension, "a table of a contour is [n,7]"));
+              : MaybeFailure(failure(AlarmId::WrongDimension, "a table of a contour is [n,7]"));
 }
 
 double* row_of(const VariableView& table, std::size_t row) {

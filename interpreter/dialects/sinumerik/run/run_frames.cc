@@ -159,7 +159,7 @@ MaybeFailure inverse_frame(Operands& at, const Op& op, Arguments list) {
   at.frame(op.result) = at.frame(list[0].value).inverse();
   return at.frame(op.result).is_within_limits()
              ? std::nullopt
-             : std::optional(failure(AlarmId::ValueOutOfLimits, "the inverse of a frame"));
+             : MaybeFailure(failure(AlarmId::ValueOutOfLimits, "the inverse of a frame"));
 }
 
 }  // namespace function

@@ -21,7 +21,7 @@ MaybeFailure take_place(Operands& at, const Op& op, std::size_t place) {
 MaybeFailure needs_one_character(Operands& at, const Op& op, Arguments list) {
   return at.text(list[1].value).size() == 1
              ? std::nullopt
-             : std::optional(
+             : MaybeFailure(
                    failure(AlarmId::BadArguments, function::name_of(op) + ": one character"));
 }
 

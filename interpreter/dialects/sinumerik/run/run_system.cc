@@ -43,7 +43,7 @@ MaybeFailure split(SystemAccess& access) {
   access.indices.pop_back();
   access.axis = access.indices.back();
   access.indices.pop_back();
-  return has_frame(access.axis) ? std::nullopt : std::optional(failure(AlarmId::BadAxisIndex));
+  return has_frame(access.axis) ? std::nullopt : MaybeFailure(failure(AlarmId::BadAxisIndex));
 }
 
 /// What the column `work` of system_variables.def calls OfLevel: the channel knows no levels.
@@ -129,7 +129,7 @@ MaybeFailure SystemSteps::write(const Op& op) {
   if (!found) {
     // Spindles have components in the frames of an INI file.
     const bool is_of_spindle = channel_.loads_data && found.error().id == AlarmId::BadAxisIndex;
-    return is_of_spindle ? std::nullopt : std::optional(found.error());
+    return is_of_spindle ? std::nullopt : MaybeFailure(found.error());
   }
   const SystemAccess& access = found.value();
   switch (access.id) {

@@ -146,7 +146,7 @@ MaybeFailure WordSteps::check_spindle(const Op& op) {
   const double which = operands_.number(op.a);
   return which == 0.0 || which == 1.0
              ? std::nullopt
-             : std::optional(failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which)));
+             : MaybeFailure(failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which)));
 }
 
 MaybeFailure WordSteps::take_skip_action(const Op& op) {

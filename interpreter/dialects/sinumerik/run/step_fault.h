@@ -21,11 +21,7 @@ class StepFault {
   }
   [[nodiscard]] bool is_there() const { return reason_.has_value(); }
   /// The reason, if there is one, which goes.
-  MaybeFailure taken() {
-    MaybeFailure reason;
-    reason.swap(reason_);
-    return reason;
-  }
+  MaybeFailure taken() { return std::exchange(reason_, std::nullopt); }
 
  private:
   MaybeFailure reason_;

@@ -74,8 +74,8 @@ class Channel : public ChannelState {
   [[nodiscard]] double shown_place(int axis, double value) const;
   /// A frame's component as a datum: shifts are lengths.
   [[nodiscard]] double shown_component(int axis, Component component, const Frame& frame) const;
-  [[nodiscard]] std::optional<Failure> set_component(int axis, Component component, double value,
-                                                     Frame& frame) const;
+  [[nodiscard]] MaybeFailure set_component(int axis, Component component, double value,
+                                           Frame& frame) const;
 
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500

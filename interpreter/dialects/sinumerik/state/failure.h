@@ -13,6 +13,7 @@
 #include "interpreter/runtime/stop_report.h"
 #include "interpreter/source/diagnostic.h"
 #include "interpreter/source/location.h"
+#include "machine/base/rare.h"
 
 namespace g31::sinumerik {
 
@@ -32,14 +33,14 @@ struct Failure {
 };
 
 /// Alarm 12050 for one of U, V and W that the machine has not.
-Failure no_such_axis(int axis);
+[[gnu::cold]] Failure no_such_axis(int axis);
 /// Frames do not know U, V and W, nor an axis that is none.
-Failure no_frame_of(int axis);
+[[gnu::cold]] Failure no_frame_of(int axis);
 
 /// nullopt: all went well.
-using MaybeFailure = std::optional<Failure>;
+using MaybeFailure = Rare<Failure>;
 
-inline Failure failure(AlarmId id, std::string detail = {}) {
+[[gnu::cold]] inline Failure failure(AlarmId id, std::string detail = {}) {
   Failure reason;
   reason.id = id;
   reason.detail = std::move(detail);
@@ -47,7 +48,7 @@ inline Failure failure(AlarmId id, std::string detail = {}) {
 }
 
 /// Of a value that cannot stand where it stands.
-inline Failure failure(WrongValue wrong) {
+[[gnu::cold]] inline Failure failure(WrongValue wrong) {
   return failure(wrong.id, std::move(wrong.detail));
 }
 inline MaybeFailure failure(std::optional<WrongValue> wrong) {

@@ -21,7 +21,7 @@ MaybeFailure no_carrier(const Channel& channel, const SystemAccess& access) {
   const int number = access.indices[0];
   return number >= 1 && number <= channel.most_carriers()
              ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, fmt::format("tool carrier {}", number)));
+             : MaybeFailure(failure(AlarmId::IndexOne, fmt::format("tool carrier {}", number)));
 }
 
 /// What a program reads: as nobody has written it where there is none; transformations on chains
@@ -43,8 +43,8 @@ Result<ToolCarrier, Failure> carrier_at(const Channel& channel, const SystemAcce
 /// A chain says what the vectors of a carrier on it are.
 MaybeFailure is_of_chain(const Channel& channel, const SystemAccess& access) {
   return is_on_chain(channel, access.indices[0])
-             ? std::optional(failure(AlarmId::WriteProtected,
-                                     "the elements of its kinematic chain, $NK_, say what it is"))
+             ? MaybeFailure(failure(AlarmId::WriteProtected,
+                                    "the elements of its kinematic chain, $NK_, say what it is"))
              : std::nullopt;
 }
 

@@ -31,7 +31,7 @@ MaybeFailure no_probe(const SystemAccess& access) {
   const int which = access.indices[0];
   return which >= 1 && which <= Channel::kMostProbes
              ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, "probes are numbered 1 to 8"));
+             : MaybeFailure(failure(AlarmId::IndexOne, "probes are numbered 1 to 8"));
 }
 
 /// @param of  where the index points: elements that count from 0
@@ -40,7 +40,7 @@ MaybeFailure no_element(const SystemAccess& access, const Elements& of, std::str
   const int which = access.indices[0];
   return which >= 0 && which < static_cast<int>(of.size())
              ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, fmt::format("{}[{}]", name, which)));
+             : MaybeFailure(failure(AlarmId::IndexOne, fmt::format("{}[{}]", name, which)));
 }
 
 MaybeFailure no_input(const Channel& channel, const SystemAccess& access) {

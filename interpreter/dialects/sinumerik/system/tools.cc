@@ -24,7 +24,7 @@ Failure no_tool(int tool) {
 MaybeFailure no_parameter(int which) {
   return which >= 1 && which < static_cast<int>(EdgeData().size())
              ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", which)));
+             : MaybeFailure(failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", which)));
 }
 
 /// The number of the i-th row of a map, i from 1; 0: it has not so many.
