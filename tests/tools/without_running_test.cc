@@ -148,6 +148,17 @@ TEST(SetupCommand, TellsMissingToolsAndOffsets) {
   EXPECT_TRUE(has(offset, "[PRB502]")) << offset.out;
 }
 
+TEST(SetupCommand, TellsMissingToolsByNameNumberAndEdge) {
+  const std::string sheet = "[control]\nprofile = \"sinumerik-828d\"\n" + std::string(kSheet);
+  for (const auto& [word, code] :
+       {std::pair("T=\"NIX\" D1", "[17191]"), std::pair("T1 D5", "[17181]"),
+        std::pair("T99 D1", "[PRB501]")}) {
+    const CommandOutput tool = reviewed(sheet, "G54\n" + std::string(word) + " M6\nM30\n");
+    EXPECT_EQ(tool.exit_code, 1) << word;
+    EXPECT_TRUE(has(tool, "case.nc:2:") && has(tool, code)) << tool.out;
+  }
+}
+
 TEST(SetupCommand, TellsProbesWhoseLengthTheControlDoesNotKnow) {
   const CommandOutput output =
       reviewed("[tools.1]\nlength = 100.0\n[probe]\nlength = 120.0\n" + std::string());

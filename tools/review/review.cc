@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -46,8 +47,12 @@ bool is_about_setup(const source::Diagnostic& diagnostic) {
       std::to_array({source::DiagnosticId::SetupMissingTool,
                      source::DiagnosticId::SetupMissingOffset, source::DiagnosticId::OffsetNeverSet,
                      source::DiagnosticId::ProgramTwice, source::DiagnosticId::UnknownParameter});
+  // Alarms of a SINUMERIK for an edge, a tool's number and a tool's name that it has not.
+  static constexpr auto kAlarms = std::to_array<std::string_view>({"17181", "17190", "17191"});
   return std::ranges::any_of(
-      kIds, [&](source::DiagnosticId id) { return source::info(id).code == diagnostic.code; });
+             kIds,
+             [&](source::DiagnosticId id) { return source::info(id).code == diagnostic.code; }) ||
+         std::ranges::find(kAlarms, diagnostic.code) != kAlarms.end();
 }
 
 /// The ball's way nearest to a part.
