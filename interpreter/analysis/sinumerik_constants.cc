@@ -75,6 +75,7 @@ WrongStep SinumerikConstants::wrong_in(const Op& step) const {
   return code == OpCode::CheckLimits                          ? limits(step)
          : code == OpCode::Index                              ? index(step)
          : code == OpCode::StoreText                          ? text(step)
+         : code == OpCode::Fill || code == OpCode::Repeat     ? elements(step)
          : code == OpCode::Math || code == OpCode::Function   ? function(step)
          : code == OpCode::Call || code == OpCode::RepeatPart ? passes(step)
          : code == OpCode::Procedure                          ? procedure(step)
@@ -105,6 +106,29 @@ WrongStep SinumerikConstants::index(const Op& step) const {
   const int size = array.shape.size[step.detail];
   return place >= 0.0 && place < size ? std::nullopt
                                       : WrongStep(no_such_index(array, step.detail, place, size));
+}
+
+/// SET and REP: values behind the last element of the array.
+WrongStep SinumerikConstants::elements(const Op& step) const {
+  const sinumerik::Variable& array = program_.variables[static_cast<std::size_t>(step.a.place)];
+  const auto first = number(step.result);
+  if (!first || array.storage == sinumerik::Storage::Reference) {
+    return std::nullopt;
+  }
+  const auto* const list = program_.arguments.data() + step.b.place;
+  auto given = static_cast<double>(step.count);
+  if (step.code == OpCode::Repeat) {
+    given = step.count > 1 ? number(list[1].value).value_or(0.0) : 0.0;
+  } else {
+    for (; given > 0.0; --given) {
+      if (list[static_cast<std::size_t>(given) - 1].form != sinumerik::Argument::Form::Omitted) {
+        break;
+      }
+    }
+  }
+  return given < 0.0 || (given > 0.0 && *first + given > array.shape.count())
+             ? WrongStep({AlarmId::TooManyInitialValues, ""})
+             : std::nullopt;
 }
 
 WrongStep SinumerikConstants::text(const Op& step) const {

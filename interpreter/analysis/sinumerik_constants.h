@@ -18,9 +18,9 @@ class SinumerikConstants {
   explicit SinumerikConstants(const sinumerik::CompiledProgram& program) : program_(program) {}
 
   /// What ends every run of a step, because its operands are constants that do not go there: a
-  /// text longer than its variable, a number beyond INT, CHAR or LLI and ULI, an index that the
-  /// array has not, a division by 0, an argument that the function does not take.  nullopt:
-  /// nothing, or only a run knows.
+  /// text longer than its variable, more values than an array has elements, a number beyond INT,
+  /// CHAR or LLI and ULI, an index that the array has not, a division by 0, an argument that the
+  /// function does not take.  nullopt: nothing, or only a run knows.
   WrongStep look_at(const sinumerik::Op& step);
 
   /// nullopt: only a run knows.
@@ -32,6 +32,7 @@ class SinumerikConstants {
                                 sinumerik::AlarmId alarm) const;
   [[nodiscard]] WrongStep limits(const sinumerik::Op& step) const;
   [[nodiscard]] WrongStep index(const sinumerik::Op& step) const;
+  [[nodiscard]] WrongStep elements(const sinumerik::Op& step) const;
   [[nodiscard]] WrongStep text(const sinumerik::Op& step) const;
   [[nodiscard]] WrongStep operation(const sinumerik::Op& step) const;
   [[nodiscard]] WrongStep function(const sinumerik::Op& step) const;

@@ -155,6 +155,8 @@ TEST(CheckWords, ConstantsOfSinumerikExpressionsAreToldAsARunTellsThem) {
            "4 12030 invalid arguments or data types: BOUND: the lower limit is "
            "above the upper one"},
           {"R1=R[1000+1]", "6 17020 illegal array index 1: R[1001] of 1000"},
+          {"DEF REAL LL[3]=SET(1,2,3,4)", "1 12260 too many initialization values"},
+          {"DEF REAL LL[3]=REP(1,4)", "1 12260 too many initialization values"},
           {"SETAL(1)", "1 12560 programmed value exceeds allowed limits: SETAL(1)"},
           {"SETMS(-1)", "1 12560 programmed value exceeds allowed limits: SETMS(-1)"},
           {"ID=256 DO M1", "1 12560 programmed value exceeds allowed limits: ID=256: 1 to 255"},
@@ -236,6 +238,7 @@ TEST(CheckWords, WhatMayBeRightOnASinumerikPassesWithoutAWord) {
            "SETAL(R1)",
            "WHEN R1>0 DO M1",
            "FA[X]=R1 OVR=R2",
+           "DEF REAL LL[3]=SET(1,2,3,)\nLL[1]=SET(1,2)\nLL[0]=REP(1,3)\nLL[R1]=SET(1,2,3)",
            "DISC=0 OFFN=0",
        }) {
     SCOPED_TRACE(block);
