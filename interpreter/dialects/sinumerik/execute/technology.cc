@@ -101,6 +101,37 @@ MaybeFailure take_code(Channel& channel, const Numbered& which, double code,
   return std::nullopt;
 }
 
+/// A spindle is a modulo axis always: absolute places lie within one turn, unless it is an axis of
+/// the machine that takes any.
+Result<double, Failure> place_in_turn(const Channel& channel, int spindle, double degrees) {
+  if (degrees >= 0.0 && degrees < kFullTurn) {
+    return degrees;
+  }
+  const auto axis = channel.axis_of_spindle(spindle);
+  if (axis && channel.has_axis_function(*axis, Channel::AxisFunction::TakesAnyPlace)) {
+    return Channel::within_turn(degrees);
+  }
+  return failure(AlarmId::BadModuloPosition, fmt::format("SPOS={:g}", degrees));
+}
+
+/// SPOS and SPOSA
+MaybeFailure orient_by(Channel& channel, const Numbered& which, const BlockWords::Word& word,
+                       const source::Location& where) {
+  const bool adds = word.modification == Modification::Incremental;
+  if (adds && !which.spindle.angle) {
+    return failure(AlarmId::NotImplemented,
+                   "SPOS=IC(...) of a spindle that turned: where it "
+                   "stopped is not simulated");
+  }
+  const double degrees = adds ? *which.spindle.angle + word.value : word.value;
+  if (!std::isfinite(degrees)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", degrees));
+  }
+  const auto place =
+      adds ? Result<double, Failure>(degrees) : place_in_turn(channel, which.number, degrees);
+  return place ? orient(channel, which, place.value(), where) : MaybeFailure(place.error());
+}
+
 /// S2=, M3=4, SPOS[2]=: of a spindle that is not the master.
 MaybeFailure take_word(Channel& channel, const BlockWords::SpindleWord& word,
                        const source::Location& where) {
@@ -109,29 +140,13 @@ MaybeFailure take_word(Channel& channel, const BlockWords::SpindleWord& word,
     return take_code(channel, which, word.value, where);
   }
   if (word.address == Address::Spindle || word.address == Address::SpindleAsync) {
-    return orient(channel, which, word.value, where);
+    return orient_by(channel, which, {word.value, word.modification, true, 1}, where);
   }
   (word.address == Address::SpeedLimit ? which.spindle.limit : which.spindle.speed) = word.value;
   if (word.address == Address::Speed && turns(which.spindle)) {
     turn(channel, which);
   }
   return std::nullopt;
-}
-
-/// SPOS and SPOSA
-MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word,
-                       const source::Location& where) {
-  const bool adds = word.modification == Modification::Incremental;
-  if (adds && !channel.spindle.angle) {
-    return failure(AlarmId::NotImplemented,
-                   "SPOS=IC(...) of a spindle that turned: where it "
-                   "stopped is not simulated");
-  }
-  const double degrees = adds ? *channel.spindle.angle + word.value : word.value;
-  if (!std::isfinite(degrees)) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", degrees));
-  }
-  return orient(channel, master_of(channel), degrees, where);
 }
 
 /// The M codes of a block and what they do to the master spindle.
@@ -178,7 +193,8 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
   }
   for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
     if (words.has(address)) {
-      if (MaybeFailure wrong = orient_by(channel, words[address], block.where)) {
+      if (MaybeFailure wrong =
+              orient_by(channel, master_of(channel), words[address], block.where)) {
         return wrong;
       }
     }

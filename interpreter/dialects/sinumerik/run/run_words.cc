@@ -123,7 +123,8 @@ MaybeFailure WordSteps::take_spindle_word(const Op& op) {
   if (which < 0.0 || which > kMostSpindles) {
     return failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which));
   }
-  words_.spindle_words.push_back({static_cast<int>(which), address, operands_.number(op.b)});
+  words_.spindle_words.push_back({static_cast<int>(which), address, operands_.number(op.b),
+                                  static_cast<Modification>(op.count)});
   return std::nullopt;
 }
 

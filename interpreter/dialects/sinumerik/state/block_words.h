@@ -37,6 +37,7 @@ struct BlockWords {
     int spindle = 0;
     Address address = Address::Speed;
     double value = 0.0;
+    Modification modification = Modification::None;
   };
   std::array<Word, index_of(Address::Count)> words;
   std::array<double, kMostMachineCodes> machine_codes = {};
