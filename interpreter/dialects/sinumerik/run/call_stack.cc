@@ -10,7 +10,11 @@ CallStack::CallStack() {
 
 bool CallStack::is_full() const {
   constexpr std::size_t kDeepestLevel = 16;  // main program included
-  return depth_ + 1 >= kDeepestLevel;
+  std::size_t begun = depth_ + 1;
+  for (std::size_t i = 0; i <= depth_; ++i) {
+    begun += level(i).waiting.size();
+  }
+  return begun >= kDeepestLevel;
 }
 
 Level& CallStack::next() {

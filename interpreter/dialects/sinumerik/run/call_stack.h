@@ -33,7 +33,7 @@ class CallStack {
   [[nodiscard]] std::size_t depth() const { return depth_; }
   /// Levels that there are or have been.
   [[nodiscard]] std::size_t count() const { return levels_.size(); }
-  /// Whether no further level may begin.
+  /// Whether no further level may begin.  A text of EXECSTRING counts as one.
   [[nodiscard]] bool is_full() const;
   /// The level that enter() begins.
   Level& next();

@@ -293,7 +293,10 @@ MaybeFailure Calls::take_no_arguments() {
 
 MaybeFailure Calls::execute_text(const std::string& source) {
   Level& now = level();
-  const auto made = programs_.text_of(*now.program, source);
+  if (stack_.is_full()) {
+    return failure(AlarmId::TooManyLevels, "EXECSTRING");
+  }
+  const auto made = programs_.text_of(*now.own_place().first, source);
   if (!made) {
     return made.error();
   }
