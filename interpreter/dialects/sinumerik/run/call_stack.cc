@@ -28,6 +28,7 @@ void CallStack::reset() {
   depth_ = 0;
   current_ = 0;
   has_ended_ = false;
+  action_.reset();
   modal_call.reset();
   *levels_.front() = Level();
   level().number = ++begun_;
@@ -39,11 +40,17 @@ void CallStack::enter() {
 }
 
 source::Location CallStack::here() const {
+  if (action_ && action_->depth == depth_) {
+    return action_->where;
+  }
   const CompiledProgram& program = *level().program;
   return location_in(program, program.spans[static_cast<std::size_t>(current_)]);
 }
 
 source::Location CallStack::place_of_call(std::size_t which) const {
+  if (action_ && action_->depth == which) {
+    return action_->where;
+  }
   const Level& waiting = level(which);
   const auto step = static_cast<std::size_t>(std::max(waiting.step - 1, 0));
   return location_in(*waiting.program, waiting.program->spans[step]);

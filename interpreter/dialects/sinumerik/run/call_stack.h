@@ -54,6 +54,15 @@ class CallStack {
   /// @returns what it was before
   bool set_ended(bool ended) { return std::exchange(has_ended_, ended); }
 
+  /// A synchronised action runs among the variables of a level: places in its own text are where
+  /// it is written.
+  struct ActionPlace {
+    std::size_t depth = 0;
+    source::Location where;
+  };
+  void begin_action(ActionPlace place) { action_ = place; }
+  void end_action() { action_.reset(); }
+
   std::optional<ModalCall> modal_call;
 
   // What reports show of it
@@ -71,6 +80,7 @@ class CallStack {
   static std::vector<runtime::CallSite> waiting_on(const Level& level);
 
   std::vector<std::unique_ptr<Level>> levels_;
+  std::optional<ActionPlace> action_;
   std::uint64_t begun_ = 0;  // levels
   std::size_t depth_ = 0;
   std::int32_t current_ = 0;

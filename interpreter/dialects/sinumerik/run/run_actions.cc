@@ -111,7 +111,9 @@ MaybeFailure SynchronisedActions::act_on(Action& action) {
   }
   const auto value = among_.holds(*action.code.condition, depth.value());
   if (!value) {
-    return failure(AlarmId::BadArguments, "condition: " + value.error());
+    Failure wrong = failure(AlarmId::BadArguments, "condition: " + value.error());
+    wrong.where = action.where;
+    return wrong;
   }
   const bool holds = value.value();
   const bool held =
@@ -124,7 +126,7 @@ MaybeFailure SynchronisedActions::act_on(Action& action) {
   }
   action.is_through = action.kind == ActionKind::Once;
   channel_.deletes_distance = channel_.deletes_distance || action.deletes_distance;
-  return among_.act(*action.code.actions, depth.value());
+  return among_.act(*action.code.actions, depth.value(), action.where);
 }
 
 /// RDISABLE: the axes have come to rest, and the next block waits until no action holds it any

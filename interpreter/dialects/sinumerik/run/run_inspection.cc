@@ -36,8 +36,11 @@ SynchronisedActions::Among Runner::among() {
     const auto value = result_of(condition, depth);
     return value ? Result<bool, std::string>(value.value().number != 0.0) : value.error();
   };
-  among.act = [this](const CompiledProgram& actions, std::size_t depth) {
+  among.act = [this](const CompiledProgram& actions, std::size_t depth,
+                     const source::Location& where) {
+    stack_.begin_action({depth, where});
     MaybeFailure wrong = run_among(actions, depth, channel_.watch.write_listener());
+    stack_.end_action();
     operands_.use_level();
     return wrong;
   };
@@ -63,6 +66,9 @@ MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth
   words_.words().clear();
   operands_.use_level();
   MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
+  if (reason && !reason->where) {
+    reason->where = stack_.here();
+  }
   channel_.watch = watch;
   level().waiting = std::move(waiting);
   level().parts = std::move(parts);

@@ -20,7 +20,10 @@ class SynchronisedActions {
   struct Among {
     /// Whether a condition holds, or why it cannot be told.
     std::function<Result<bool, std::string>(const CompiledProgram&, std::size_t depth)> holds;
-    std::function<MaybeFailure(const CompiledProgram&, std::size_t depth)> act;
+    /// @param where  the action is written: what goes wrong in its own text goes wrong there
+    std::function<MaybeFailure(const CompiledProgram&, std::size_t depth,
+                               const source::Location& where)>
+        act;
   };
 
   /// All must outlive the actions.
