@@ -212,6 +212,28 @@ TEST(EvaluatePositioning, IsThatOfTheStandard) {
       std::string::npos);
 }
 
+TEST(EvaluatePositioning, RefusesASecondReadingAndPartsOfCycles) {
+  cli::EvaluateOptions options;
+  options.kind = "positioning";
+  options.given[OptionId::Axis] = "X";
+  const std::string text =
+      "axis,target,direction,cycle,position\nX,0,1,1,0.001\nX,0,1,2,0.002\nX,0,-1,1,0\nX,0,-1,2,"
+      "0\n";
+  const auto errors = [&](const std::string& row) {
+    const EvaluateOutput output = evaluate_text(text + row, options);
+    EXPECT_EQ(output.exit_code, output.errors.empty() ? 0 : 2);
+    return output.errors;
+  };
+  EXPECT_NE(errors("X,0,1,1,0.003\n")
+                .find("data.csv:6:1: error: cycle is 1, it should be another than in line 2, which "
+                      "has the same target and direction [DAT112]"),
+            std::string::npos);
+  EXPECT_NE(errors("X,0,1,2.5,0.003\n")
+                .find("data.csv:6:1: error: cycle is 2.5, it should be a whole number [DAT112]"),
+            std::string::npos);
+  EXPECT_EQ(errors("X,0,1,3,0.003\nY,0,1,1,0\n"), "") << "another cycle, another axis";
+}
+
 TEST(EvaluatePositioning, SaysWhyAResultHasNoValue) {
   cli::EvaluateOptions options;
   options.kind = "positioning";

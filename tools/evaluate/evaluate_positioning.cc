@@ -1,4 +1,9 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -92,6 +97,41 @@ std::vector<std::string> notes_of(const PositioningEvaluation& p) {
   return notes;
 }
 
+/// The rows of an axis; each target is approached once in a cycle from a side.
+Result<std::vector<metrology::Approach>, DataError> approaches_of(const DataFile& file,
+                                                                  const DataTable& table,
+                                                                  const std::string& axis) {
+  std::vector<metrology::Approach> approaches;
+  std::map<std::tuple<double, double, double>, std::size_t> lines;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const auto not_one_of = [&](const char* column, double number, const std::string& expected) {
+      return data_error(DataErrorId::NotOneOf, file, place_of_line(file, table.line(row)),
+                        {column, fmt::format("{}", number), expected});
+    };
+    const double direction = table.numbers("direction")[row];
+    if (direction != 1.0 && direction != -1.0) {
+      return not_one_of("direction", direction, "+1 or -1");
+    }
+    const double cycle = table.numbers("cycle")[row];
+    if (cycle != std::floor(cycle)) {
+      return not_one_of("cycle", cycle, "a whole number");
+    }
+    if (table.texts("axis")[row] != axis) {
+      continue;
+    }
+    const double target = table.numbers("target")[row];
+    const auto [first, is_new] = lines.try_emplace({target, direction, cycle}, table.line(row));
+    if (!is_new) {
+      return not_one_of(
+          "cycle", cycle,
+          fmt::format("another than in line {}, which has the same target and direction",
+                      first->second));
+    }
+    approaches.push_back({target, table.numbers("position")[row], direction > 0.0});
+  }
+  return approaches;
+}
+
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const Request& request) {
@@ -109,18 +149,11 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   if (!axis) {
     return axis.error();
   }
-  std::vector<metrology::Approach> approaches;
-  for (std::size_t row = 0; row < table.value().size(); ++row) {
-    const double direction = table.value().numbers("direction")[row];
-    if (direction != 1.0 && direction != -1.0) {
-      return data_error(DataErrorId::NotOneOf, file, place_of_line(file, table.value().line(row)),
-                        {"direction", fmt::format("{}", direction), "+1 or -1"});
-    }
-    if (table.value().texts("axis")[row] == axis.value()) {
-      approaches.push_back({table.value().numbers("target")[row],
-                            table.value().numbers("position")[row], direction > 0.0});
-    }
+  const auto taken = approaches_of(file, table.value(), axis.value());
+  if (!taken) {
+    return taken.error();
   }
+  const std::vector<metrology::Approach>& approaches = taken.value();
   const auto positioning = metrology::evaluate_positioning(approaches);
   if (!positioning) {
     return data_error(DataErrorId::CannotEvaluate, file, {}, {positioning.error()});

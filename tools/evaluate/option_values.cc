@@ -16,6 +16,8 @@ namespace {
 using Wrong = WrongValue;
 
 constexpr double kLargest = 1e6;  // mm: a kilometre
+// mm: the finest scales have periods of some tenths of a micrometre.
+constexpr double kLeastPitch = 1e-4;
 
 Wrong take_positive(std::string_view text, std::optional<double>& value) {
   value = option_number(text);
@@ -43,8 +45,10 @@ Wrong take_pitches(const std::string& text, std::array<std::optional<double>, 2>
   } else if (take_pair(text, both)) {
     both.reset();
   }
-  if (!both || (*both)[0] < 0.0 || (*both)[1] < 0.0 || (*both)[0] + (*both)[1] <= 0.0) {
-    return "write a pitch above 0 mm, for example 10, or one of each axis, for example 10,12";
+  const auto fits = [](double pitch) { return pitch == 0.0 || pitch >= kLeastPitch; };
+  if (!both || !std::ranges::all_of(*both, fits) || std::ranges::max(*both) == 0.0) {
+    return "write a pitch of 0.0001 mm at least, for example 10, or one of each axis, for example "
+           "10,12";
   }
   for (const std::size_t axis : {0U, 1U}) {
     if (both->at(axis) > 0.0) {
