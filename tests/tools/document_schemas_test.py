@@ -77,6 +77,9 @@ COMMANDS = (
     ("study", "--json", "-"),
     ("evaluate", "diagonal", "none.csv", "--target", "5,5", "--json", "-"),
     ("evaluate", "diagonal", "record.csv", "--target", "far", "--json", "-"),
+    ("judge", "none.json", "results.txt", "--json", "-"),
+    ("judge", "record.csv", "results.txt", "--json", "-"),
+    ("judge", "plan.json", "none.txt", "--json", "-"),
     ("check", "p.nc", "none.nc", "--json", "-"),
     ("check", "p.nc", "--setup", "wrong.toml", "--json", "-"),
 )

@@ -173,6 +173,7 @@ TEST(Judge, RefusesWrongPlansAtTheirPlace) {
                 {"[]", "expected a document with"},
                 {"{\"schema\": \"g31.run/1\"}", "\"g31.plan/1\""},
                 {PLAN("5"), "measures: expected a list"},
+                {PLAN("[]"), "measures: expected a list of 1 to 100000"},
                 {PLAN("[5]"), "measures[0]: expected an object"},
                 {PLAN("[{\"nominal\": 1}]"), "measures[0]: id: expected 1 to 64"},
                 {PLAN("[{\"id\": \"A B\", \"nominal\": 1}]"), "measures[0]: id: "},

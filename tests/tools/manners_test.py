@@ -116,6 +116,30 @@ class Manners(unittest.TestCase):
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn("the name is empty: expected that of a file", run.stderr)
 
+    def test_an_empty_word_is_a_mistake(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        (self.folder / "a.csv").write_text("t,X,Y\n0,1,0\n")
+        plan = ("plan", str(PRODUCT), "--stock", "box", "-o", "out")
+        circle = ("evaluate", "circle", "a.csv")
+        for words in (("plan", str(PRODUCT), "-o", "out", "--stock"), ("plan", str(PRODUCT), "--stock", "box", "-o"),
+                      (*plan, "--control"), (*plan, "--setup"), (*plan, "--as-machined"), ("new", "out", "--control"),
+                      ("run", "a.nc", "--control"), ("check", "a.nc", "--control"), ("explain", "G31", "--control"),
+                      (*circle, "--unit"), (*circle, "--magnify"), ("evaluate", "positioning", "a.csv", "--compensation"),
+                      ("study", "a.toml", "--shard")):
+            run = self.g31(*words, "")
+            self.assertEqual((run.returncode, run.stdout), (2, ""), f"{words}: {run.stderr}")
+            self.assertIn(f"{words[-1]}: the word is empty", run.stderr.replace("--output", "-o"), words)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_what_is_no_number_is_in_no_range(self):
+        for words in (("plan", str(PRODUCT), "--stock", "box", "-o", "out", "--tolerance"),
+                      ("judge", "plan.json", "results.txt", "--wait"), ("study", "a.toml", "--seed")):
+            for number in ("nan", "-nan", "NaN"):
+                run = self.g31(*words[:-1], f"{words[-1]}={number}")
+                self.assertEqual((run.returncode, run.stdout), (2, ""), f"{words}: {run.stderr}")
+                self.assertIn(f"{words[-1]}: Value {number} not in range", run.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
     def test_what_explain_cannot_write_is_told(self):
         with open("/dev/full", "w") as full:
             run = subprocess.run([G31, "explain", "ring"], stdout=full, stderr=subprocess.PIPE, text=True)

@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/limit_options.h"
+
 namespace g31::cli {
 
 void add_control_option(CLI::App& command, std::string& control, const std::string& text) {
-  command.add_option("--control", control, text)->type_name("CONTROL");
+  command.add_option("--control", control, text)->type_name("CONTROL")->check(why_no_word);
 }
 
 void add_fail_on_option(CLI::App& command, source::Severity& fail_on, const std::string& text) {

@@ -41,7 +41,8 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   command
       ->add_option("--magnify", options.magnify,
                    "how many times a drawn circle or square enlarges its errors; 1 is true size")
-      ->type_name("V");
+      ->type_name("V")
+      ->check(why_no_word);
   command
       ->add_option("--columns", options.columns,
                    "what the file calls its columns, for example X=x_act,Y=y_act")
@@ -51,7 +52,8 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   command
       ->add_option("--unit", options.unit,
                    "unit unit of the file's lengths: mm (default), um, nm, m, inch")
-      ->type_name("UNIT");
+      ->type_name("UNIT")
+      ->check(why_no_word);
   add_limits(*command, options);
   for (const evaluate::OptionRow& row : evaluate::options()) {
     command
@@ -59,7 +61,8 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
             std::string(row.option),
             [&options, id = row.id](const std::string& value) { options.given[id] = value; },
             fmt::format("{} ({})", row.text, row.kinds))
-        ->type_name(std::string(row.value));
+        ->type_name(std::string(row.value))
+        ->check(why_no_word);
   }
   return command;
 }

@@ -9,6 +9,7 @@
 #include "tools/cli/output_places.h"
 #include "tools/cli/read_input.h"
 #include "tools/cli/read_results.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/write_out.h"
 #include "tools/plan/judgement_document.h"
 
@@ -27,26 +28,29 @@ void print_remarks(const std::string& results, const plan::Judgement& judgement)
 }  // namespace
 
 ExitCode judge_command(const JudgeOptions& options) {
-  if (options.plan == "-" && options.results == "-") {
-    return refuse(
-        session::bad_input("standard input cannot be both the plan and the results: name a file"));
-  }
+  const auto refused = [&options](const session::Refusal& wrong) {
+    return refuse(wrong, options.json, "g31.judgement/1");
+  };
   if (const auto wrong =
           wrong_place({{"--json", options.json}}, {{options.plan, options.results}})) {
     return refuse(*wrong);
   }
+  if (options.plan == "-" && options.results == "-") {
+    return refused(
+        session::bad_input("standard input cannot be both the plan and the results: name a file"));
+  }
   disk::Disk disk;
   const auto text = read_input(disk, options.plan, kLargestPlan);
   if (!text) {
-    return refuse(text.error());
+    return refused(text.error());
   }
   const auto measures = plan::read_measures(options.plan, text.value());
   if (!measures) {
-    return refuse(session::bad_input(measures.error()));
+    return refused(session::bad_input(measures.error()));
   }
   const auto results = read_results(options, measures.value(), disk);
   if (!results) {
-    return refuse(results.error());
+    return refused(results.error());
   }
   const plan::Judgement judgement = plan::judged(measures.value(), results.value());
   print_remarks(options.results, judgement);

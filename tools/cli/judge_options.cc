@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
 
 namespace g31::cli {
@@ -31,7 +32,7 @@ CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
       ->add_option("--wait", options.wait_s,
                    "how long a serial line may be silent, until what has not come is missing")
       ->type_name("S")
-      ->check(CLI::Range(kShortestWaitS, kLongestWaitS))
+      ->check(number_range(kShortestWaitS, kLongestWaitS))
       ->capture_default_str();
   return command;
 }

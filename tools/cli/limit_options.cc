@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,6 +17,20 @@ std::string why_no_time(const std::string& text) {
   const auto end = std::from_chars(text.data(), last, seconds);
   const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
   return fits && seconds > 0.0 ? "" : fmt::format("{} is not a number of seconds above 0", text);
+}
+
+std::string why_no_word(const std::string& text) {
+  return text.empty() ? "the word is empty" : "";
+}
+
+CLI::Validator number_range(double least, double most) {
+  const CLI::Range range(least, most);
+  const auto why_not = [range, least, most](std::string& text) {
+    return std::isnan(std::strtod(text.c_str(), nullptr))
+               ? fmt::format("Value {} not in range {:f} to {:f}", text, least, most)
+               : range(text);
+  };
+  return {why_not, range.get_description()};
 }
 
 void add_max_output(CLI::App& command, std::uint64_t& bytes, const std::string& what) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/limit_options.h"
 #include "tools/cli/report_options.h"
 
 namespace g31::cli {
@@ -19,19 +20,23 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
           "centred on the part in X and Y and standing on its lower face; box: the block "
           "around the part")
       ->type_name("STOCK")
+      ->check(why_no_word)
       ->required();
   command
       ->add_option("-o,--output", options.folder,
                    "the folder that gets plan.json, the program, setup.toml and plan.html")
       ->type_name("DIR")
+      ->check(why_no_word)
       ->required();
   command->add_option("--control", options.control, "the control that the program is for")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->check(why_no_word);
   command
       ->add_option("-s,--setup", options.setup,
                    "a sheet with machine, probe, fixtures and [work_offsets.G54], in which the "
                    "part's origin is to lie; its other parts are fixtures")
-      ->type_name("SHEET");
+      ->type_name("SHEET")
+      ->check(why_no_word);
   constexpr double kLeastMm = 1e-5;
   constexpr double kMostMm = 1000.0;
   command
@@ -40,12 +45,13 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
           "of every measure whose size the model does not state itself (AP242), mm: what deviates "
           "by up to T either way is good")
       ->type_name("T")
-      ->check(CLI::Range(kLeastMm, kMostMm));
+      ->check(number_range(kLeastMm, kMostMm));
   command
       ->add_option("--as-machined", options.as_machined,
                    "another file of the part, on which the program is run as well; plan.json has "
                    "the judgement")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(why_no_word);
   command->add_flag(
       "--point-by-point", options.by_points,
       "single touches of holes and bosses, too, in place of the control's own cycles, "

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
 #include "tools/study/study_keys.h"
@@ -36,9 +37,10 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       ->check(CLI::Range(1, 10000000));
   study->add_option("--seed", options.seed, "in the place of the study's own seed")
       ->type_name("N")
-      ->check(CLI::Range(0.0, 9007199254740992.0));
+      ->check(number_range(0.0, 9007199254740992.0));
   study->add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
-      ->type_name("i/n");
+      ->type_name("i/n")
+      ->check(why_no_word);
   study->add_option("--merge", options.merge, "put the shards together instead of running")
       ->type_name("FILE...");
   return study;

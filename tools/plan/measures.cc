@@ -118,8 +118,8 @@ Result<std::vector<Measure>, std::string> read_measures(const std::string& name,
     return fmt::format("{}: expected a document with \"schema\": \"g31.plan/1\"", name);
   }
   const PlanJson rows = document.value("measures", PlanJson());
-  if (!rows.is_array() || rows.size() > kMostMeasures) {
-    return fmt::format("{}: measures: expected a list of at most {}", name, kMostMeasures);
+  if (!rows.is_array() || rows.empty() || rows.size() > kMostMeasures) {
+    return fmt::format("{}: measures: expected a list of 1 to {}", name, kMostMeasures);
   }
   std::vector<Measure> measures;
   std::set<std::string> names;

@@ -30,8 +30,8 @@ std::string printed_name(std::string_view id);
 /// The measures of a document g31.plan/1, in its order; ids and printed names differ.
 /// @param name  of the file, for messages
 ///
-/// Error: one line with the place: no JSON (line and column), another document, a field that is
-/// missing or out of range (which of which measure).
+/// Error: one line with the place: no JSON (line and column), another document, no measure, a field
+/// that is missing or out of range (which of which measure).
 Result<std::vector<Measure>, std::string> read_measures(const std::string& name,
                                                         std::string_view text);
 
