@@ -16,6 +16,10 @@ std::optional<std::string> FileSystem::read_part(const std::string& path, std::u
   return text->substr(static_cast<std::size_t>(offset), length);
 }
 
+std::optional<std::string> FileSystem::why_no_list(const std::string& /*folder*/) {
+  return std::nullopt;
+}
+
 std::vector<std::string> FileSystem::folders(const std::string& /*folder*/) {
   return {};
 }

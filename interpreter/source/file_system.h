@@ -29,6 +29,10 @@ class FileSystem {
   /// Names (without folder) of the regular files in a folder, sorted; empty when it cannot be read.
   virtual std::vector<std::string> list(const std::string& folder) = 0;
 
+  /// Why what is in a folder cannot be told, in the system's words; nullopt: it can, for all that
+  /// an implementation knows.
+  virtual std::optional<std::string> why_no_list(const std::string& folder);
+
   /// Names (without path) of the folders in a folder, sorted; an implementation may know none.
   virtual std::vector<std::string> folders(const std::string& folder);
 

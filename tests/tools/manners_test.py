@@ -4,6 +4,7 @@
 Usage: manners_test.py G31
 """
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -103,6 +104,47 @@ class Manners(unittest.TestCase):
         self.g31("run", "--json", "a.nc")
         self.g31("run", "a.nc", "--json", "a.toml", "--nonsense")
         self.assertEqual((program.read_text(), sheet.read_text()), (RUNS, "[start]\nX = 0.0\n"))
+
+    def test_a_folder_that_cannot_be_read_is_none_without_programs(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        (self.folder / "open/closed").mkdir(parents=True)
+        (self.folder / "open/b.nc").write_text(RUNS)
+        closed = self.folder / "open/closed"
+        closed.chmod(0)
+        self.addCleanup(closed.chmod, 0o755)
+        self.folder.chmod(0o755)
+        nobody = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+        for words in (("check", "open/closed"), ("check", "open"), ("check", "a.nc", "--lib", "open/closed"),
+                      ("run", "a.nc", "--lib", "open/closed"), ("run", "a.nc", "--lib", "open")):
+            try:
+                run = subprocess.run([G31, *words], cwd=self.folder, capture_output=True, text=True, **nobody)
+            except PermissionError:
+                self.skipTest("root reads everything, and nobody else may run g31 where it lies")
+            self.assertEqual(run.returncode, 2, f"{words}: {run.stderr}")
+            self.assertIn("cannot read the folder open/closed: Permission denied", run.stderr)
+
+    def test_nor_is_one_that_lies_too_deep(self):
+        at = os.open(self.folder, os.O_RDONLY)
+        for _ in range(20):
+            os.mkdir("d" * 250, dir_fd=at)
+            below = os.open("d" * 250, os.O_RDONLY, dir_fd=at)
+            os.close(at)
+            at = below
+        os.close(at)
+        (self.folder / "a.nc").write_text("O1\nGOTO 1\n")
+        for words in (("check", "."), ("run", "a.nc", "--lib", ".")):
+            run = self.g31(*words)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertRegex(run.stderr, "cannot read the folder .*d: File name too long")
+
+    def test_nor_is_one_that_is_gone_under_our_feet(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        for words in ("check .", "run ../a.nc --lib ."):
+            (self.folder / "gone").mkdir()
+            run = subprocess.run(["sh", "-c", f'cd gone; rmdir ../gone; exec "$0" {words}', G31], cwd=self.folder,
+                                 capture_output=True, text=True)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn("cannot read the folder .: No such file or directory", run.stderr)
 
     def test_an_output_without_a_name_is_a_mistake(self):
         (self.folder / "a.nc").write_text(RUNS)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "machine/base/letters.h"
+#include "tools/disk/disk.h"
 
 namespace g31::check {
 namespace {
@@ -36,18 +37,33 @@ bool is_program(const fs::path& path, bool beside_sinumerik) {
          (ending == ".def" && beside_sinumerik);
 }
 
-/// Folders before files of the same folder would depend on the file system: all paths are sorted.
-std::vector<std::string> programs_below(const std::string& folder) {
-  std::map<fs::path, std::vector<fs::path>> by_folder;
+/// All files of a folder and those below it; links to folders are not followed.
+void add_files(const fs::path& folder, std::map<fs::path, std::vector<fs::path>>& by_folder,
+               std::vector<ProgramPaths::Closed>& closed) {
+  std::vector<fs::path> below;
   std::error_code error;
-  using Walk = fs::recursive_directory_iterator;
-  for (Walk it(folder, fs::directory_options::skip_permission_denied, error), end;
-       !error && it != end; it.increment(error)) {
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     std::error_code ignored;
     if (it->is_regular_file(ignored)) {
-      by_folder[it->path().parent_path()].push_back(it->path());
+      by_folder[folder].push_back(it->path());
+    } else if (it->is_directory(ignored) && !it->is_symlink(ignored)) {
+      below.push_back(it->path());
     }
   }
+  if (auto why = disk::Disk().why_no_list(folder.string())) {
+    closed.push_back({folder.lexically_normal().string(), *std::move(why)});
+  }
+  std::ranges::sort(below);
+  for (const fs::path& each : below) {
+    add_files(each, by_folder, closed);
+  }
+}
+
+/// Folders before files of the same folder would depend on the file system: all paths are sorted.
+std::vector<std::string> programs_below(const std::string& folder,
+                                        std::vector<ProgramPaths::Closed>& closed) {
+  std::map<fs::path, std::vector<fs::path>> by_folder;
+  add_files(folder, by_folder, closed);
   std::vector<std::string> found;
   for (auto& [place, files] : by_folder) {
     const bool beside_sinumerik = std::ranges::any_of(files, [](const fs::path& file) {
@@ -78,7 +94,7 @@ ProgramPaths program_paths(const std::vector<std::string>& named) {
   for (const std::string& name : named) {
     std::error_code error;
     if (fs::is_directory(name, error)) {
-      std::ranges::for_each(programs_below(name), add);
+      std::ranges::for_each(programs_below(name, paths.closed), add);
     } else if (name == "-" || fs::exists(name, error)) {
       if (add(name)) {
         paths.named.push_back(name);

@@ -10,6 +10,12 @@ struct ProgramPaths {
   std::vector<std::string> files;    ///< each once, in the order named; those of a folder by name
   std::vector<std::string> named;    ///< of them those that are named themselves
   std::vector<std::string> missing;  ///< named, but no file or folder
+  /// A folder that is named or lies below one that is, whose files cannot be told.
+  struct Closed {
+    std::string folder;
+    std::string why;  ///< in the system's words
+  };
+  std::vector<Closed> closed;
 };
 
 /// Files that are named, and the programs in folders and the folders below them, which are told by

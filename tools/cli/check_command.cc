@@ -54,6 +54,9 @@ std::optional<session::Refusal> why_not(const CheckOptions& options) {
     if (!disk.has_folder(folder)) {
       return session::bad_input(fmt::format("--lib {}: no such folder", folder));
     }
+    if (const auto why = disk.why_no_list(folder)) {
+      return session::bad_input(fmt::format("cannot read the folder {}: {}", folder, *why));
+    }
   }
   std::vector<std::string> baselines;
   if (!options.baseline.empty()) {
@@ -108,6 +111,9 @@ std::vector<session::Refusal> left_out(const check::Request& request,
   std::vector<session::Refusal> all;
   for (const std::string& path : request.paths.missing) {
     all.push_back(session::bad_input(fmt::format("{}: no such file or folder", path)));
+  }
+  for (const auto& [folder, why] : request.paths.closed) {
+    all.push_back(session::bad_input(fmt::format("cannot read the folder {}: {}", folder, why)));
   }
   for (const std::string& path : checked.unreadable) {
     all.push_back(session::bad_input(fmt::format("cannot read the program {}", path)));

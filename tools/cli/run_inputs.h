@@ -31,6 +31,10 @@ class RememberingDisk final : public source::FileSystem {
     looked_(folder);
     return disk_.list(folder);
   }
+  std::optional<std::string> why_no_list(const std::string& folder) override {
+    looked_(folder);
+    return disk_.why_no_list(folder);
+  }
   std::vector<std::string> folders(const std::string& folder) override {
     looked_(folder);
     return disk_.folders(folder);

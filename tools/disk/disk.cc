@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,17 +24,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Looks at the entries of a folder one by one.  @returns why not at all of them
+template <typename Look>
+std::error_code each_in(const std::string& folder, Look look) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder.empty() ? "." : real_path(folder), error), end;
+       !error && it != end; it.increment(error)) {
+    look(*it);
+  }
+  return error;
+}
+
 /// The names of those entries of a folder that are wanted, sorted.
 template <typename Wanted>
 std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator it(folder.empty() ? "." : real_path(folder), error), end;
-       !error && it != end; it.increment(error)) {
-    if (is_wanted(*it)) {
-      names.push_back(it->path().filename().string());
+  each_in(folder, [&](const fs::directory_entry& entry) {
+    if (is_wanted(entry)) {
+      names.push_back(entry.path().filename().string());
     }
-  }
+  });
   std::ranges::sort(names);
   return names;
 }
@@ -150,6 +160,16 @@ std::vector<std::string> Disk::list(const std::string& folder) {
     std::error_code ignored;
     return entry.is_regular_file(ignored);
   });
+}
+
+std::optional<std::string> Disk::why_no_list(const std::string& folder) {
+  std::error_code error = each_in(folder, [](const fs::directory_entry&) {});
+  std::error_code unknown;
+  if (!error && fs::hard_link_count(folder.empty() ? "." : real_path(folder), unknown) == 0) {
+    error =
+        std::make_error_code(std::errc::no_such_file_or_directory);  // deleted while we are in it
+  }
+  return error ? std::optional(error.message()) : std::nullopt;
 }
 
 std::vector<std::string> Disk::folders(const std::string& folder) {

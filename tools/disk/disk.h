@@ -25,6 +25,7 @@ class Disk final : public source::FileSystem {
   std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
                                        std::size_t length) override;
   std::vector<std::string> list(const std::string& folder) override;
+  std::optional<std::string> why_no_list(const std::string& folder) override;
   std::vector<std::string> folders(const std::string& folder) override;
   bool has_folder(const std::string& folder) override;
 };

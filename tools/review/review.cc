@@ -32,6 +32,9 @@ class DiskWithIdleProgram final : public source::FileSystem {
   std::vector<std::string> list(const std::string& folder) override {
     return folder.empty() ? std::vector<std::string>() : disk_.list(folder);
   }
+  std::optional<std::string> why_no_list(const std::string& folder) override {
+    return disk_.why_no_list(folder);
+  }
   std::vector<std::string> folders(const std::string& folder) override {
     return disk_.folders(folder);
   }

@@ -13,14 +13,23 @@
 namespace g31::session {
 
 /// A folder and those below it, the upper ones first; what is hidden is not looked at.
+/// @returns why one of them cannot be looked into
 template <typename Library>
-void add_tree(Library& library, source::FileSystem& files, const std::string& folder) {
+std::optional<Refusal> add_tree(Library& library, source::FileSystem& files,
+                                const std::string& folder) {
+  if (const auto why = files.why_no_list(folder)) {
+    return bad_input(fmt::format("cannot read the folder {}: {}", folder, *why));
+  }
   library.add_folder(folder);
   for (const std::string& below : files.folders(folder)) {
-    if (!below.starts_with('.')) {
-      add_tree(library, files, folder + "/" + below);
+    if (below.starts_with('.')) {
+      continue;
+    }
+    if (auto wrong = add_tree(library, files, folder + "/" + below)) {
+      return wrong;
     }
   }
+  return std::nullopt;
 }
 
 /// Fills a dialect's library in the order that Programs tells.
@@ -38,7 +47,9 @@ std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths
     if (!files.has_folder(folder)) {
       return bad_input(fmt::format("--lib {}: no such folder", folder));
     }
-    add_tree(library, files, folder);
+    if (auto wrong = add_tree(library, files, folder)) {
+      return wrong;
+    }
   }
   if (disk::shipped_folder(shipped)) {
     library.add_folder(disk::shipped_name(shipped));
