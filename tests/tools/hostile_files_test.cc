@@ -90,8 +90,10 @@ TEST(WriteWholeFile, SaysWhyItCannotAndLeavesNothing) {
   TemporaryFolder folder;
   fs::create_directory(folder.path("folder"));
   fs::create_symlink("loop", folder.path("loop"));
+  fs::create_symlink("nowhere/file", folder.path("astray"));
   for (const auto& [path, why] :
        {std::pair{folder.path("none/result.json"), "No such file or directory"},
+        std::pair{folder.path("astray"), "No such file or directory"},
         std::pair{folder.path("folder"), "Is a directory"},
         std::pair{folder.path("loop"), "Too many levels of symbolic links"}}) {
     SCOPED_TRACE(path);
@@ -99,7 +101,7 @@ TEST(WriteWholeFile, SaysWhyItCannotAndLeavesNothing) {
     ASSERT_TRUE(problem.has_value());
     EXPECT_EQ(*problem, "cannot write " + path + ": " + why);
   }
-  EXPECT_EQ(folder.names().size(), 2U);
+  EXPECT_EQ(folder.names().size(), 3U);
 }
 
 TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
@@ -109,6 +111,14 @@ TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
   EXPECT_EQ(disk::write_whole_file(folder.path("link"), "after"), std::nullopt);
   EXPECT_TRUE(fs::is_symlink(folder.path("link")));
   EXPECT_EQ(disk::Disk().read(file), "after");
+
+  fs::create_directory(folder.path("sub"));
+  fs::create_symlink("sub/next", folder.path("first"));
+  fs::create_symlink("new", folder.path("sub/next"));
+  EXPECT_EQ(disk::write_whole_file(folder.path("first"), "made"), std::nullopt);
+  EXPECT_TRUE(fs::is_symlink(folder.path("first")));
+  EXPECT_TRUE(fs::is_symlink(folder.path("sub/next")));
+  EXPECT_EQ(disk::Disk().read(folder.path("sub/new")), "made");
 
   const std::string pipe = folder.path("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -89,8 +89,12 @@ class Manners(unittest.TestCase):
         program, sheet = self.folder / "a.nc", self.folder / "a.toml"
         program.write_text(RUNS)
         sheet.write_text("[start]\nX = 0.0\n")
+        (self.folder / "link").symlink_to("b")  # which is not there
+        (self.folder / "here").symlink_to(".")
         for words in (("--jsonl", "a.nc"), ("--trace", "a.nc"), ("--readings", "a.nc"), ("--printer", "a.nc"),
-                      ("--json", "a.toml"), ("--json", "b", "--jsonl", "b"), ("--json", "b", "--trace", "b")):
+                      ("--json", "a.toml"), ("--json", "b", "--jsonl", "b"), ("--json", "b", "--trace", "b"),
+                      ("--json", "b", "--trace", "./b"), ("--json", "b", "--trace", "link"),
+                      ("--json", str(self.folder / "b"), "--trace", "here/b")):
             run = self.g31("run", "a.nc", "-s", "a.toml", *words)
             self.assertEqual(run.returncode, 2, f"{words}: {run.stderr}")
             self.assertRegex(run.stderr, "take the place|cannot both")

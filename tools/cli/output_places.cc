@@ -5,13 +5,32 @@
 
 #include <fmt/format.h>
 
+#include "tools/disk/part_file.h"
+
 namespace g31::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// Of a file that is there or not, one spelling; "": there is none.
+std::string one_spelling(const std::string& path) {
+  const auto file = disk::written_file(path);
+  std::error_code error;
+  const fs::path whole = file ? fs::absolute(file.value(), error) : fs::path();
+  return whole.empty() ? "" : fs::weakly_canonical(whole, error).string();
+}
+
 /// Whether two paths are the same file, there or not.
 bool are_same(const std::string& a, const std::string& b) {
+  if (a == b || a.empty() || a == "-") {
+    return a == b;
+  }
   std::error_code error;
-  return a == b || (std::filesystem::equivalent(a, b, error) && !error);
+  if (fs::equivalent(a, b, error) && !error) {
+    return true;
+  }
+  const std::string spelling = one_spelling(a);
+  return !spelling.empty() && spelling == one_spelling(b);
 }
 
 }  // namespace

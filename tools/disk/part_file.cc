@@ -28,18 +28,6 @@ std::string last_error() {
   return words_for(errno);
 }
 
-Result<fs::path, std::string> behind_link(const std::string& path) {
-  std::error_code error;
-  if (!fs::is_symlink(path, error)) {
-    return fs::path(path);
-  }
-  const fs::path target = fs::weakly_canonical(path, error);
-  if (target.empty()) {
-    return error.message();
-  }
-  return target;
-}
-
 /// A device or a pipe: it takes what is written, and nothing may stand in its place.
 bool is_device_or_pipe(const struct stat& is) {
   return !S_ISREG(is.st_mode) && !S_ISDIR(is.st_mode);
@@ -153,6 +141,23 @@ void keep_folder(const std::string& path) {
 
 }  // namespace
 
+Result<fs::path, std::string> written_file(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  fs::path file(path);
+  std::error_code error;
+  for (int followed = 0; fs::is_symlink(file, error); ++followed) {
+    if (followed == kMostLinks) {
+      return words_for(ELOOP);
+    }
+    const fs::path target = fs::read_symlink(file, error);
+    if (error) {
+      return error.message();
+    }
+    file = file.parent_path() / target;
+  }
+  return file;
+}
+
 bool set_aside(const std::string& path) {
   return std::rename(path.c_str(), temporary_name(aside(path)).c_str()) == 0;
 }
@@ -174,7 +179,7 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
     return file != nullptr ? Result<std::shared_ptr<PartFile>, std::string>(made(file, path, ""))
                            : last_error();
   }
-  const auto target = behind_link(path);
+  const auto target = written_file(path);
   if (!target) {
     return target.error();
   }

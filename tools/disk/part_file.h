@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,17 +12,22 @@
 
 namespace g31::disk {
 
+/// What is made or replaced where a path is written: links are followed, and what the last one
+/// leads to need not be there yet.
+/// @returns why there is no such file, in the system's words
+Result<std::filesystem::path, std::string> written_file(const std::string& path);
+
 /// Takes a file that is to be replaced away now, so that nobody takes it for the new one if that
 /// does not come; the new one gets its owner and mode all the same.
 /// @returns whether it is gone
 bool set_aside(const std::string& path);
 
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
-/// small and nobody ever sees half of it; a link to a file stays one, and so do owner and mode of a
-/// file that is replaced.  Its bytes are on the disk before it gets its name.  A device or a pipe
-/// is written as it is, a named pipe once somebody reads it within 3 s and as long as something is
-/// taken from it (pipe_stream.h); "-" and what standard output goes to are standard output.  What a
-/// killed run left of the same file is removed.
+/// small and nobody ever sees half of it; a link to a file stays one, be that file there or not,
+/// and so do owner and mode of a file that is replaced.  Its bytes are on the disk before it gets
+/// its name.  A device or a pipe is written as it is, a named pipe once somebody reads it within 3
+/// s and as long as something is taken from it (pipe_stream.h); "-" and what standard output goes
+/// to are standard output.  What a killed run left of the same file is removed.
 class PartFile {
  public:
   /// @returns why the file cannot be written, in the system's words
