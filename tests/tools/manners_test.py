@@ -6,6 +6,7 @@ Usage: manners_test.py G31
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -149,6 +150,22 @@ class Manners(unittest.TestCase):
                                  capture_output=True, text=True)
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn("cannot read the folder .: No such file or directory", run.stderr)
+
+    def test_half_a_new_folder_does_not_stay(self):
+        (self.folder / "astray/sub").mkdir(parents=True)
+        (self.folder / "astray/.github").symlink_to("nowhere")
+        (self.folder / "astray/mine.nc").write_text(RUNS)
+
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))  # the program is smaller, the sheet is not
+        before = sorted(self.folder.rglob("*"))
+        for folder, limit in (("astray", None), ("a/b/c", small_files), ("astray/sub", small_files)):
+            run = subprocess.run([G31, "new", folder], cwd=self.folder, capture_output=True, text=True,
+                                 restore_signals=False, preexec_fn=limit)
+            self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
+            self.assertRegex(run.stderr, "cannot make the folder|File too large")
+            self.assertEqual(sorted(self.folder.rglob("*")), before)
+        self.assertEqual(self.g31("new", "a/b/c").returncode, 0)
 
     def test_an_output_without_a_name_is_a_mistake(self):
         (self.folder / "a.nc").write_text(RUNS)

@@ -1,6 +1,11 @@
 #include "tools/cli/new_command.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -38,16 +43,54 @@ std::optional<session::Refusal> in_the_way(const fs::path& folder,
   return std::nullopt;
 }
 
-std::optional<session::Refusal> write_file(const fs::path& folder, const StarterFile& file) {
-  const fs::path path = folder / file.path;
-  std::error_code wrong;
-  fs::create_directories(path.parent_path(), wrong);
-  if (wrong) {
-    return session::bad_input(
-        fmt::format("cannot make the folder {}: {}", path.parent_path().string(), wrong.message()));
+/// What has been made so far; unless it is kept it goes, so that nobody finds half a beginning and
+/// the next try is not in its own way.
+class Beginning {
+ public:
+  Beginning() = default;
+  Beginning(const Beginning&) = delete;
+  Beginning& operator=(const Beginning&) = delete;
+  ~Beginning() {
+    std::error_code ignored;
+    for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
+      fs::remove(*path, ignored);  // a folder only where it is empty
+    }
   }
-  return write_out(path.string(), file.text);
-}
+
+  std::optional<session::Refusal> write(const fs::path& path, std::string_view text) {
+    if (auto wrong = make_folder(path.parent_path())) {
+      return wrong;
+    }
+    auto wrong = write_out(path.string(), text);
+    if (!wrong) {
+      made_.push_back(path);
+    }
+    return wrong;
+  }
+
+  void keep() { made_.clear(); }
+
+ private:
+  /// With those above it.
+  std::optional<session::Refusal> make_folder(const fs::path& folder) {
+    std::error_code wrong;
+    if (folder.empty() || fs::is_directory(folder, wrong)) {
+      return std::nullopt;
+    }
+    if (auto above = make_folder(folder.parent_path())) {
+      return above;
+    }
+    wrong.clear();
+    if (fs::create_directory(folder, wrong)) {
+      made_.push_back(folder);
+    }
+    return wrong ? std::optional(session::bad_input(fmt::format("cannot make the folder {}: {}",
+                                                                folder.string(), wrong.message())))
+                 : std::nullopt;
+  }
+
+  std::vector<fs::path> made_;  ///< what lies in a folder behind it
+};
 
 }  // namespace
 
@@ -63,12 +106,14 @@ ExitCode new_command(const NewOptions& options) {
     return refuse(*wrong);
   }
   std::string text;
+  Beginning beginning;
   for (const StarterFile& file : files) {
-    if (const auto wrong = write_file(folder, file)) {
+    if (const auto wrong = beginning.write(folder / file.path, file.text)) {
       return refuse(*wrong);
     }
     text += (folder / file.path).string() + "\n";
   }
+  beginning.keep();
   text += fmt::format("Now: g31 run {} --setup {}\n", (folder / files.front().path).string(),
                       (folder / "setup.toml").string());
   const auto wrong = write_out("-", text);
