@@ -167,6 +167,14 @@ class Manners(unittest.TestCase):
             self.assertEqual(sorted(self.folder.rglob("*")), before)
         self.assertEqual(self.g31("new", "a/b/c").returncode, 0)
 
+    def test_nothing_gets_into_a_file_that_was_meant_for_a_closed_stream(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        words = 'exec "$0" run a.nc --print "#500" --jsonl a.jsonl >&-'
+        run = subprocess.run(["sh", "-c", words, G31], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("Bad file descriptor", run.stderr)
+        self.assertNotIn("#500 = 3", (self.folder / "a.jsonl").read_text())
+
     def test_an_output_without_a_name_is_a_mistake(self):
         (self.folder / "a.nc").write_text(RUNS)
         for option in ("--printer", "--json", "--jsonl", "--trace", "--readings"):

@@ -111,6 +111,13 @@ class Safety(Served):
             line.split()[1].endswith(f":{self.port:04X}") and line.split()[3] == "0A"
             for line in six.read_text().splitlines()[1:]))
 
+    def test_it_ends_where_nobody_would_know_its_address(self):
+        for where, why in ((">/dev/full", "No space left on device"), (">&-", "Bad file descriptor")):
+            view = subprocess.run(["sh", "-c", f'exec "$0" view a.nc {where}', G31], cwd=self.folder,
+                                  stderr=subprocess.PIPE, text=True, timeout=GENEROUS)
+            self.assertEqual(view.returncode, 2, view.stderr)
+            self.assertEqual(view.stderr, f"g31: error: cannot write standard output: {why}\n")
+
     def test_a_port_that_is_taken_is_said(self):
         with socket.socket() as taken:
             taken.bind(("127.0.0.1", 0))

@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <exception>
 
+#include <fcntl.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include "tools/cli/command_line.h"
 #include "tools/cli/exit_code.h"
@@ -16,10 +18,22 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, kBytes);
 }
 
+/// A standard stream that is closed stays so: otherwise the next file or socket would get its
+/// number, and what is meant for the stream would go there.
+void keep_closed_streams_closed() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) {
+      // The wrong way round: whoever uses it is told that it is a bad descriptor.
+      (void)::open("/dev/full", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using g31::cli::ExitCode;
+  keep_closed_streams_closed();
   keep_freed_memory();
   try {
     return static_cast<int>(g31::cli::run_command_line(argc, argv, G31_VERSION));

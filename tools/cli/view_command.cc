@@ -1,7 +1,6 @@
 #include "tools/cli/view_command.h"
 
 #include <chrono>
-#include <cstdio>
 #include <deque>
 #include <thread>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "tools/cli/messages.h"
 #include "tools/cli/run_page.h"
+#include "tools/cli/write_out.h"
 #include "tools/view/file_watch.h"
 #include "tools/view/page_server.h"
 
@@ -70,8 +70,9 @@ ExitCode view_command(const ViewOptions& options) {
   if (!server) {
     return refuse(session::bad_input(fmt::format("--port {}: {}", options.port, server.error())));
   }
-  fmt::print("{}\n", server.value()->address());
-  std::fflush(stdout);
+  if (const auto wrong = write_out("-", server.value()->address() + "\n")) {
+    return refuse(*wrong);  // nobody would know where it is
+  }
   view::FileWatch files;
   for (const auto* const list : {&options.run.programs, &options.run.setups}) {
     for (const std::string& path : *list) {
