@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "interpreter/source/latin_1.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::source {
 namespace {
@@ -80,31 +81,10 @@ std::optional<std::string> from_shift_jis(std::string_view bytes) {
   return is_likely ? std::optional(std::move(text)) : std::nullopt;
 }
 
-/// How many bytes the character at the beginning has in UTF-8; 0: it is none.
-std::size_t utf_8_length(std::string_view bytes) {
-  const auto lead = static_cast<Byte>(bytes.front());
-  if (lead < 0x80) {
-    return 1;
-  }
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) {
-    return 0;
-  }
-  const auto follows = [](char c) { return (static_cast<Byte>(c) & 0xC0U) == 0x80U; };
-  if (!std::ranges::all_of(bytes.substr(1, length - 1), follows)) {
-    return 0;
-  }
-  // Overlong forms, surrogates and what lies beyond U+10FFFF.
-  const auto second = static_cast<Byte>(bytes[1]);
-  const bool is_wrong = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
-                        (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
-  return is_wrong ? 0 : length;
-}
-
 bool is_utf_8(std::string_view bytes) {
   while (!bytes.empty()) {
-    const std::size_t length = utf_8_length(bytes);
-    if (length == 0) {
+    const auto [length, is_character] = utf_8_piece(bytes);
+    if (!is_character) {
       return false;
     }
     bytes.remove_prefix(length);

@@ -151,6 +151,14 @@ class Manners(unittest.TestCase):
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn("cannot read the folder .: No such file or directory", run.stderr)
 
+    def test_a_name_of_any_bytes_is_shown_as_utf_8(self):
+        program = self.folder / os.fsdecode(b"T\xfc.nc")
+        program.write_text(RUNS)
+        for words in (("scene", program.name, "-o", "a.svg"), ("run", program.name, "--report", "a.html")):
+            run = subprocess.run([G31, *words], cwd=self.folder, capture_output=True)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn("T\ufffd.nc", (self.folder / words[-1]).read_text(encoding="utf-8"))
+
     def test_half_a_new_folder_does_not_stay(self):
         (self.folder / "astray/sub").mkdir(parents=True)
         (self.folder / "astray/.github").symlink_to("nowhere")

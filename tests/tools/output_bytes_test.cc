@@ -1,9 +1,13 @@
 // What DPRNT and BPRNT send reaches standard output byte for byte; messages are text.
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "machine/base/utf_8.h"
 #include "tests/support/run_program.h"
 
 namespace g31::output_bytes_test {
@@ -39,6 +43,28 @@ TEST(OutputBytes, OfMessagesAreLettersForATerminal) {
   EXPECT_EQ(text,
             "Gr\xC3\xBC\xC3\x9F"
             "e\nTT = \xC3\x9F\n");
+}
+
+// What a page or a picture shows in place of bytes that are no UTF-8 is what documents have there.
+TEST(OutputBytes, ThatAreNoUtf8AreReplacedAlikeInPagesPicturesAndDocuments) {
+  const auto in_document = [](const std::string& bytes) {
+    using nlohmann::json;
+    return json::parse(json(bytes).dump(-1, ' ', false, json::error_handler_t::replace))
+        .get<std::string>();
+  };
+  const std::string kept = "T\xC3\xBC \xE2\x82\xAC \xF0\x9F\x98\x80";
+  EXPECT_EQ(as_valid_utf_8(kept), kept);
+  EXPECT_EQ(as_valid_utf_8("T\xFC.nc"), "T\xEF\xBF\xBD.nc");
+  // Bytes at which something begins, ends or is forbidden in UTF-8.
+  constexpr std::string_view kBytes =
+      "a\x7F\x80\x8F\x90\x9F\xA0\xBF\xC1\xC2\xDF\xE0\xE1\xED\xEF\xF0\xF1\xF4\xF5\xFF";
+  for (std::size_t number = 0; number < 20 * 20 * 20 * 20; ++number) {
+    std::string bytes;
+    for (std::size_t rest = number, i = 0; i < 4; rest /= kBytes.size(), ++i) {
+      bytes += kBytes[rest % kBytes.size()];
+    }
+    ASSERT_EQ(as_valid_utf_8(bytes), in_document(bytes)) << number;
+  }
 }
 
 TEST(RunDocument, KeepsTheFirstStopsAndCountsTheOthers) {

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/utf_8.h"
+
 namespace g31::page {
 
-std::string escaped(std::string_view utf_8) {
+std::string escaped(std::string_view bytes) {
+  const std::string utf_8 = as_valid_utf_8(bytes);
   std::string html;
   html.reserve(utf_8.size());
   for (const char c : utf_8) {

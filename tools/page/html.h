@@ -7,8 +7,9 @@
 namespace g31::page {
 
 /// A text as HTML shows it: it is never markup.
-/// @param utf_8  control characters but tab and line break are left out
-std::string escaped(std::string_view utf_8);
+/// @param bytes  UTF-8, and as_valid_utf_8() where it is not; control characters but tab and line
+///     break are left out
+std::string escaped(std::string_view bytes);
 
 enum class ShowSign : unsigned char { WhereNegative, Always };
 

@@ -5,7 +5,8 @@
 
 namespace g31::picture {
 
-/// Words as they stand in XML; what XML has no sign for becomes a question mark.
+/// Words as they stand in XML; what XML has no sign for becomes a question mark, what is no UTF-8
+/// as_valid_utf_8().
 std::string xml_escaped(std::string_view words);
 
 }  // namespace g31::picture

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/utf_8.h"
+
 namespace g31::plot {
 namespace {
 
@@ -40,7 +42,7 @@ text { fill: #e6ebef; }
 
 std::string escaped(std::string_view words) {
   std::string text;
-  for (const char c : words) {
+  for (const char c : as_valid_utf_8(words)) {
     switch (c) {
       case '&':
         text += "&amp;";

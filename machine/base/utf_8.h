@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace g31 {
+
+/// What a text of UTF-8 begins with.
+struct Utf8Piece {
+  std::size_t length;  ///< bytes, at least 1
+  /// Otherwise it is a byte that no character begins with, or a beginning that nothing completes.
+  bool is_character;
+};
+
+/// Overlong forms, surrogates and what lies beyond U+10FFFF are no characters.
+/// REQUIRES: there is at least one byte.
+Utf8Piece utf_8_piece(std::string_view bytes);
+
+/// The text with U+FFFD in place of each piece that is no character, as our JSON documents have it:
+/// what a file is called may be any bytes.
+std::string as_valid_utf_8(std::string_view bytes);
+
+}  // namespace g31
