@@ -76,7 +76,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
       return *std::move(fault);
     }
   }
-  q_M_ = move.q_M_end;
+  arrive(move.q_M_end, move.tag);
   return q_M_;
 }
 
@@ -118,7 +118,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move_led(const LedPath& pat
   if (fault) {
     return *std::move(fault);
   }
-  q_M_ = move.q_M_end;
+  arrive(move.q_M_end, move.tag);
   return q_M_;
 }
 
@@ -152,7 +152,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
                {arc.ends, arc.contour_control, arc.tag, arc.smoothness.corner_tolerance})) {
     return *std::move(fault);
   }
-  q_M_ = arc.q_M_end;
+  arrive(arc.q_M_end, arc.tag);
   return q_M_;
 }
 
@@ -238,7 +238,7 @@ void MachiningCentre::dwell(double seconds) {
     return;
   }
   if (!real_.are_ideal()) {
-    late_ = wait_really(seconds);
+    find_late(wait_really(seconds));
     return;
   }
   if (sampler_) {

@@ -96,6 +96,12 @@ class MachiningCentre final : public MachinePort {
   static bool is_fraction(double number);
   void tell(const MachineEvent& event);
   void tell_time() const;
+  void arrive(const AxisPositions& q_M_end, const MoveTag& tag) {
+    q_M_ = q_M_end;
+    followed_ = tag;
+  }
+  // A fault of axes that still follow it is that of the last move.
+  void find_late(MaybeFault fault);
   /// What the way that a skip move took, of axes and tool tip, has broken.
   MaybeFault damage(const RealAxes::Encoders& went, const Waypoint& tip_from);
   Result<SkipOutcome, MachineFault> skip_led(const LedPath& path, const SkipMove& move);
@@ -167,8 +173,10 @@ class MachiningCentre final : public MachinePort {
   Surroundings* surroundings_;
   Clock clock_;
   ContinuousPath continuous_;
-  bool keeps_feed_ = false;      // the last move did, and nothing has happened since
-  MaybeFault late_;              // of a move that passed on, until somebody can be told
+  bool keeps_feed_ = false;  // the last move did, and nothing has happened since
+  MaybeFault late_;          // of a move that passed on, until somebody can be told
+  // Of the move that axes which lag follow while the program waits; a skip move has none.
+  std::optional<MoveTag> followed_;
   mutable double told_s_ = 0.0;  // the last time that the surroundings were told
   AxisPositions q_M_;
   AxisPositions resolution_;  // of the encoders; 0: no steps

@@ -21,8 +21,15 @@ void MachiningCentre::end_passing() {
 void MachiningCentre::stand_still() {
   end_passing();
   if (!late_ && real_.is_smoothing()) {
-    late_ = carry_out_really(real_.smoothed_motion(StraightPath(q_M_, q_M_), {}, true),
-                             {Travel::Feed, BlockEnd::CommandStop});
+    find_late(carry_out_really(real_.smoothed_motion(StraightPath(q_M_, q_M_), {}, true),
+                               {Travel::Feed, BlockEnd::CommandStop}));
+  }
+}
+
+void MachiningCentre::find_late(MaybeFault fault) {
+  late_ = std::move(fault);
+  if (late_) {
+    late_->tag = followed_;
   }
 }
 
@@ -35,7 +42,7 @@ void MachiningCentre::come_to_rest() {
   const double moves_s = RealAxes::rests_s(motion);
   if (moves_s > 0.0) {
     if (auto obstacle = real_.first_obstacle(motion, Travel::Feed, moves_s, *surroundings_)) {
-      late_ = break_off(motion, *std::move(obstacle));
+      find_late(break_off(motion, *std::move(obstacle)));
     }
   }
 }

@@ -38,6 +38,7 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
   if (late_) {
     return *take_late_fault();
   }
+  followed_.reset();
   tell_time();
   if (const auto led = led_path(q_M_, move.way)) {
     return skip_led(*led, move);

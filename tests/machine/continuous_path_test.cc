@@ -388,7 +388,9 @@ TEST(ContinuousPath, WhatLagsBehindMayMeetSomethingDuringADwell) {
        {Case{99.5, 1.0, true}, {99.9, 1.0, true}, {99.5, 0.01, false}, {100.001, 1.0, false}}) {
     Wall wall(c.wall);
     MachiningCentre centre(lagging(t_lag), &wall);
-    ASSERT_TRUE(centre.move(contour(axes(100, 0, 0), ContourControl::Off)).ok());
+    LinearMove move = contour(axes(100, 0, 0), ContourControl::Off);
+    move.tag = {7, 8, 9};
+    ASSERT_TRUE(centre.move(move).ok());
     centre.dwell(c.dwell_s);
     const auto fault = centre.take_late_fault();
     ASSERT_EQ(fault.has_value(), c.meets) << c.wall;
@@ -396,7 +398,7 @@ TEST(ContinuousPath, WhatLagsBehindMayMeetSomethingDuringADwell) {
       const double met_s = 2.0 + t_lag * std::log(lag / (100.0 - c.wall));
       EXPECT_NEAR(centre.time_s(), met_s, 4e-4);
       EXPECT_NEAR(fault->q_M_at[0], c.wall, 1e-3);
-      EXPECT_EQ(fault->tag, std::nullopt) << "of what the program waits for, not of the move";
+      EXPECT_EQ(fault->tag, move.tag) << "the program only waits";
     } else {
       EXPECT_EQ(centre.time_s(), 2.0 + c.dwell_s);
     }

@@ -157,7 +157,6 @@ TEST(WriteWholeFile, RemovesWhatKilledRunsLeftOfTheSameFile) {
   TemporaryFolder folder;
   // No process has a number beyond 2^22.
   folder.write("file.99999999.part", "half");
-  folder.write("file.old.99999999.part", "of an earlier run, set aside");
   folder.write("other.99999999.part", "half of another one");
   folder.write("file.1.part", "of a process that is there");
   folder.write("file.draft.part", "of a person");
@@ -177,7 +176,6 @@ TEST(WriteWholeFile, KeepsTheModeOfAFileThatItReplaces) {
             fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
 }
 
-// The document of an earlier run is away while the next one runs: one that is killed leaves none.
 TEST(WriteWholeFile, KeepsTheModeOfADocumentThatANewRunReplaces) {
   TemporaryFolder folder;
   const std::string program = folder.write("case.nc", "G04 P1\nM30\n");
@@ -197,13 +195,6 @@ TEST(WriteWholeFile, KeepsTheModeOfADocumentThatANewRunReplaces) {
     }
     EXPECT_EQ(folder.names().size(), 3U);
   }
-  const std::string file = folder.write("file", "before");
-  fs::permissions(file, mode);
-  EXPECT_TRUE(disk::set_aside(file));
-  EXPECT_FALSE(fs::exists(file));
-  EXPECT_EQ(disk::write_whole_file(file, "after"), std::nullopt);
-  EXPECT_EQ(fs::status(file).permissions(), mode);
-  EXPECT_EQ(folder.names().size(), 4U);
 }
 
 TEST(WriteWholeFile, AMinusIsStandardOutput) {

@@ -1,5 +1,6 @@
 // Alarms of blocks that have waited for others: their place, who called their program, its locals.
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -74,6 +75,33 @@ TEST(LateAlarms, ALineByAngleThatHasNoEndIsToldAtItsOwnCall) {
                      "%_N_BACK_SPF\nPROC BACK\nM30\nRET\n")
                 .substr(0, 17),
             "12110 8 from A:3 ");
+}
+
+// The axes lag: with a gain of 1/s the ball of X53 meets the block long after the move has ended.
+TEST(LateAlarms, ACollisionOfAxesThatStillFollowIsThatOfTheirMove) {
+  constexpr const char* kLagging =
+      "[control]\nprofile = \"fanuc-30i\"\n"
+      "[machine.axes.X]\ntravel = [-100.0, 100.0]\nacceleration = 500.0\nservo_gain = 1.0\n"
+      "[probe]\nball_diameter = 6.0\nlength = 50.0\n"
+      "[[part]]\nname = \"block\"\nshape = \"block\"\nlength = 10.0\nwidth = 40.0\nheight = 20.0\n"
+      "at = [60.0, 0.0, -100.0]\n";
+  for (const std::string behind : {"#1=1\nM30\n", "G4 X9.\nM30\n", "#3000=5\n", "#500=1/0\n",
+                                   "GOTO1\nN1 M30\n"}) {
+    testing::TemporaryFolder folder;
+    cli::RunOptions options;
+    options.programs = {folder.write(
+        "a.nc", "O1\nG90 G54 G0 Z-60.\nG1 X40. F3000.\nM98 P2\n" + behind + "O2\nX53.\nM99\n")};
+    options.setups = {folder.write("sheet.toml", kLagging)};
+    options.moves = true;
+    const testing::RunOutput run = testing::run_program(options);
+    EXPECT_EQ(run.document.at("status"), "collision") << run.errors;
+    const auto& message = run.document.at("diagnostics").back();
+    const auto line = 6 + std::count(behind.begin(), behind.end(), '\n');
+    EXPECT_EQ(message.at("line"), line) << behind << run.errors;
+    ASSERT_EQ(message.at("notes").size(), 1U) << behind;
+    EXPECT_EQ(message.at("notes")[0].at("line"), 4);
+    EXPECT_EQ(run.document.at("moves").size(), 2U) << "the one that met the block is none of them";
+  }
 }
 
 TEST(ExecutedTexts, AreAmongTheCalls) {

@@ -274,12 +274,18 @@ Diameter        40.0100          40.0000          -0.0100 mm
     EXPECT_EQ(run.output.document.at("output"), row.shows ? screen + wait : "");
     EXPECT_EQ(run.output.document.at("stops").size(), row.stops);
   }
-  const MeasuringRun oversize = measured(
+  const MeasuringRun oversize = run_measuring(
       "CYCLE150(41,0,\"\")\nZ-5\nCYCLE977(201,,0,1,39.9,,,2,5,,,,,,,\"MILL\",,0,1,0.05,-0.05,0.5,1,"
       "0,,,1)",
-      ring_aside());
+      {ring_aside(), kCalibrated}, {"R1"});
   const std::string shown = oversize.output.document.at("output");
-  EXPECT_NE(shown.find("61304: oversize\n"), std::string::npos);
+  // The alarm is shown, at the line that calls the cycle, and the program goes on.
+  EXPECT_EQ(oversize.output.exit_code, 1);
+  const auto& alarm = oversize.output.document.at("diagnostics").back();
+  EXPECT_EQ(alarm.at("code"), "PRB327");
+  EXPECT_NE(alarm.at("message").get<std::string>().find("61304 oversize"), std::string::npos);
+  EXPECT_EQ(alarm.at("column"), 1);
+  EXPECT_EQ(alarm.at("file"), oversize.output.document.at("program"));
   EXPECT_NE(shown.find("Diameter        39.9000          40.0000           0.1000 mm\n"),
             std::string::npos)
       << shown;

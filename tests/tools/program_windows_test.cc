@@ -57,6 +57,28 @@ TEST(ProgramWindows, AMessageNamesTheLineOfTheFile) {
   EXPECT_EQ(run.document["alarm"]["column"], 5);
 }
 
+TEST(ProgramWindows, ABlockThatNoJumpReachesRefusesNothing) {
+  // The jump leaves its window, or goes on behind the block.
+  for (const std::string passed : {"N77 X1..2\n", "N77 X1..2\nN99 #100=2\n"}) {
+    const auto run =
+        run_text("O7001\n#100=1\nGOTO99\n" + passed + many_lines(kLines) + "N99 M30\n");
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.document["variables"]["#100"], passed.size() > 10 ? 2 : 1);
+  }
+  const auto reached = run_text("O7001\nGOTO77\nN77 X1..2\n" + many_lines(kLines) + "M30\n");
+  EXPECT_EQ(reached.exit_code, 2);
+  EXPECT_EQ(reached.document["blocks"], 0);
+}
+
+TEST(ProgramWindows, WhatIsMissingAtTheEndOfTheTextHasItsColumn) {
+  for (const std::string end : {"", "\n", "\r\n"}) {
+    const auto run = run_text("O7001\n" + many_lines(kLines) + "G1X5.Y" + end);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.document["alarm"]["line"], kLines + 2);
+    EXPECT_EQ(run.document["alarm"]["column"], 7) << end.size();
+  }
+}
+
 TEST(ProgramWindows, AWarningOfAnEarlierWindowKeepsItsPlace) {
   const auto run = run_text("O7001\nG31 X1. F100.\n#100=#5061\n" + many_lines(kLines) + "M30\n");
   EXPECT_EQ(run.exit_code, 1) << run.errors;

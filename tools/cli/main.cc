@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
@@ -18,13 +19,12 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, kBytes);
 }
 
-/// A standard stream that is closed stays so: otherwise the next file or socket would get its
-/// number, and what is meant for the stream would go there.
-void keep_closed_streams_closed() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(stream, F_GETFD) < 0) {
-      // The wrong way round: whoever uses it is told that it is a bad descriptor.
-      (void)::open("/dev/full", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+/// A standard stream that is closed stays one: no file that we open gets its number, and with it
+/// what is meant for the stream.  It fails as before, because the other way is open.
+void hold_closed_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) < 0) {
+      (void)::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
   }
 }
@@ -33,8 +33,9 @@ void keep_closed_streams_closed() {
 
 int main(int argc, char** argv) {
   using g31::cli::ExitCode;
-  keep_closed_streams_closed();
   keep_freed_memory();
+  hold_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing it
   try {
     return static_cast<int>(g31::cli::run_command_line(argc, argv, G31_VERSION));
   } catch (const std::exception& error) {

@@ -188,7 +188,7 @@ ExitCode plan_command(const PlanOptions& options) {
   }
   std::string notes = planned.value().notes;
   replace_all(notes, made.value()->path(), fs::path(options.folder).string());
-  fmt::print(stderr, "{}", notes);
+  std::fputs(notes.c_str(), stderr);
   const std::string document = plan::plan_document(planned.value());
   const std::string html = page_of(options, planned.value(), *made.value());
   if (const auto wrong = hand_over(options, planned.value(), document, html, *made.value())) {

@@ -347,7 +347,7 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   session::Prepared prepared = read.value();
   prepared.job.control.block_skip.insert(options.block_skip.begin(), options.block_skip.end());
   if (!prepared.note.empty()) {
-    fmt::print(stderr, "g31: note: {}\n", prepared.note);
+    std::fputs(fmt::format("g31: note: {}\n", prepared.note).c_str(), stderr);
   }
   if (options.watch != nullptr) {
     look_at(prepared.job, *options.watch);

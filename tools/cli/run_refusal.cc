@@ -1,7 +1,7 @@
 #include "tools/cli/run_refusal.h"
 
+#include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -97,7 +97,8 @@ std::optional<session::Refusal> write_refusal_with_care(const RunOptions& option
 /// The line that every run ends with.
 void tell_end(const RunOptions& options, const session::Refusal& wrong) {
   if (options.talk != Talk::Quiet) {
-    fmt::print(stderr, "g31: {}: nothing has run\n", session::status_name(outcome_of(wrong)));
+    const std::string status = session::status_name(outcome_of(wrong));
+    std::fputs(fmt::format("g31: {}: nothing has run\n", status).c_str(), stderr);
   }
 }
 
@@ -127,17 +128,6 @@ std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
                      {options.programs, options.setups, {options.compare}});
 }
 
-/// Takes document and report of an earlier run away.
-void set_old_results_aside(const RunOptions& options) {
-  for (const std::string& path : {options.json, options.report}) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error)) &&
-        may_be_replaced(path)) {
-      disk::set_aside(path);
-    }
-  }
-}
-
 }  // namespace
 
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
@@ -154,7 +144,6 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
   if (const auto wrong = wrong_place_of(options)) {
     return refuse(*wrong);
   }
-  set_old_results_aside(options);
   const disk::WaitingLimit limit(options.budget.wall_seconds);
   try {
     const auto done = work();

@@ -1,6 +1,5 @@
 #include "tools/disk/part_file.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -43,11 +42,6 @@ std::string temporary_name(const std::string& target) {
   return fmt::format("{}.{}{}", target, ::getpid(), kSuffix);
 }
 
-/// What of a file is set aside is named like a temporary file of this one.
-std::string aside(const std::string& target) {
-  return target + ".old";
-}
-
 /// The process in the name of a temporary file of `target`; 0: it is none of those.
 int process_in(const std::string& name, const std::string& target) {
   int process = 0;
@@ -66,22 +60,12 @@ void remove_left_overs(const fs::path& target) {
   const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    const std::string of = target.filename().string();
-    const int process = std::max(process_in(name, of), process_in(name, aside(of)));
+    const int process = process_in(name, target.filename().string());
     if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
       std::error_code ignored;
       fs::remove(it->path(), ignored);
     }
   }
-}
-
-/// What a file is to replace, be it there or set aside.
-std::optional<struct stat> replaced_by(const std::string& target) {
-  struct stat is = {};
-  const std::string old = temporary_name(aside(target));
-  const bool is_there =
-      ::stat(target.c_str(), &is) == 0 || (::lstat(old.c_str(), &is) == 0 && S_ISREG(is.st_mode));
-  return is_there ? std::optional(is) : std::nullopt;
 }
 
 /// A file that nobody had; nullptr: errno says why there is none.
@@ -158,10 +142,6 @@ Result<fs::path, std::string> written_file(const std::string& path) {
   return file;
 }
 
-bool set_aside(const std::string& path) {
-  return std::rename(path.c_str(), temporary_name(aside(path)).c_str()) == 0;
-}
-
 Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::string& path) {
   const auto made = [](std::FILE* file, const std::string& name, const std::string& temporary) {
     return std::shared_ptr<PartFile>(new PartFile(file, name, temporary));
@@ -186,13 +166,12 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   remove_left_overs(target.value());
   const std::string name = target.value().string();
   const std::string temporary = temporary_name(name);
-  const auto replaced = replaced_by(name);
   std::FILE* const file = new_file(temporary);
   if (file == nullptr) {
     return last_error();
   }
-  if (replaced) {
-    take_after(file, *replaced);
+  if (::stat(name.c_str(), &is) == 0) {
+    take_after(file, is);
   }
   return made(file, name, temporary);
 }
@@ -231,7 +210,6 @@ void PartFile::give_name() {
     error_ = errno;
   }
   if (error_ == 0) {
-    (void)::unlink(temporary_name(aside(path_)).c_str());
     keep_folder(path_);
   } else {
     std::remove(temporary_.c_str());

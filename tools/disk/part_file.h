@@ -17,11 +17,6 @@ namespace g31::disk {
 /// @returns why there is no such file, in the system's words
 Result<std::filesystem::path, std::string> written_file(const std::string& path);
 
-/// Takes a file that is to be replaced away now, so that nobody takes it for the new one if that
-/// does not come; the new one gets its owner and mode all the same.
-/// @returns whether it is gone
-bool set_aside(const std::string& path);
-
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
 /// small and nobody ever sees half of it; a link to a file stays one, be that file there or not,
 /// and so do owner and mode of a file that is replaced.  Its bytes are on the disk before it gets

@@ -237,13 +237,8 @@ void Compiler::link_jumps() {
     if (step.kind != BlockKind::Goto && step.kind != BlockKind::IfGoto) {
       continue;
     }
-    const Op& target = out_.ops[step.value];
-    if (target.code != OpCode::End || target.a.bank != Bank::Constants) {
-      continue;
-    }
-    const double sequence = out_.constants[static_cast<std::size_t>(target.a.place)].or_zero();
-    if (sequence >= 1.0 && sequence <= kAlwaysInRange) {
-      const auto found = out_.find_label(static_cast<std::int32_t>(sequence), i);
+    if (const auto sequence = out_.constant_target(step)) {
+      const auto found = out_.find_label(*sequence, i);
       step.jump = found.value_or(kNone);
       step.enters_loop = found && out_.enters_loop(i, *found);
     }
@@ -260,6 +255,17 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
   }
   const auto behind = std::ranges::upper_bound(first, last, from, {}, &Label::step);
   return behind != last ? behind->step : first->step;
+}
+
+std::optional<std::int32_t> CompiledProgram::constant_target(const Step& jump) const {
+  const Op& target = ops[jump.value];
+  if (target.code != OpCode::End || target.a.bank != Bank::Constants) {
+    return std::nullopt;
+  }
+  const double sequence = constants[static_cast<std::size_t>(target.a.place)].or_zero();
+  return sequence >= 1.0 && sequence <= kAlwaysInRange
+             ? std::optional(static_cast<std::int32_t>(sequence))
+             : std::nullopt;
 }
 
 bool CompiledProgram::enters_loop(Index from, Index to) const {

@@ -160,6 +160,8 @@ struct CompiledProgram {
                                                         syntax::Index from) const;
   /// Whether a jump goes into a loop that it is not in; to its WHILE it may go.
   [[nodiscard]] bool enters_loop(syntax::Index from, syntax::Index to) const;
+  /// The sequence number that a GOTO names, if a constant of every control's range names it.
+  [[nodiscard]] std::optional<std::int32_t> constant_target(const Step& jump) const;
 };
 
 /// Where a piece of a program stands.

@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/code/exits.h"
 
+#include <algorithm>
+
 namespace g31::fanuc {
 namespace {
 
@@ -34,6 +36,21 @@ void follow_words(const CompiledProgram& program, Index step, StepExits& exits) 
   }
 }
 
+/// A jump of a window may leave it.
+void follow_unlinked_jump(const CompiledProgram& program, Index step, StepExits& exits) {
+  const auto target = program.constant_target(program.steps[step]);
+  exits.any_label = program.extent == Extent::Whole || !target;
+  if (exits.any_label) {
+    return;
+  }
+  const auto behind = std::ranges::find_if(program.labels, [&](const Label& label) {
+    return label.sequence == *target && label.step > step;
+  });
+  if (behind != program.labels.end()) {
+    add_exit(exits, behind->step);
+  }
+}
+
 }  // namespace
 
 StepExits exits_of(const CompiledProgram& program, Index index) {
@@ -45,9 +62,10 @@ StepExits exits_of(const CompiledProgram& program, Index index) {
   switch (step.kind) {
     case BlockKind::Goto:
     case BlockKind::IfGoto:
-      exits.any_label = step.jump == kNone;
-      if (!exits.any_label) {
+      if (step.jump != kNone) {
         add_exit(exits, step.jump);
+      } else {
+        follow_unlinked_jump(program, index, exits);
       }
       if (step.kind == BlockKind::IfGoto) {
         add_exit(exits, index + 1);

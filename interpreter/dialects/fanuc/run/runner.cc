@@ -195,6 +195,7 @@ MaybeFailure Runner::bad_block(const Step& step) {
   Failure failure;
   failure.id = static_cast<AlarmId>(error.error);
   failure.where = error.where;
+  failure.place = location_in(*stack_.frame().program, error.where);  // at the end of a text, too
   failure.detail = error.message;
   failure.status = runtime::Status::SyntaxError;
   return failure;

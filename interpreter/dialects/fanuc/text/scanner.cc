@@ -72,7 +72,7 @@ char Scanner::peek_behind_blanks() {
     } else if (c == '%') {
       return ends_tape(at_) ? '\n' : c;
     } else {
-      return kShown[static_cast<unsigned char>(c)];
+      return c == ')' ? c : kShown[static_cast<unsigned char>(c)];
     }
   }
   return '\n';

@@ -21,6 +21,11 @@ WrongValue only_zero(Address address, double value);
 
 /// SETAL
 MaybeWrong wrong_alarm_number(double number);
+/// Alarms of the measuring cycles that are shown and the program goes on: oversize, undersize,
+/// permissible dimension difference exceeded (cycle manual 1486, 1512, 2492).
+constexpr bool is_shown_only(int alarm) {
+  return alarm >= 61304 && alarm <= 61306;
+}
 /// SETMS
 MaybeWrong wrong_master_spindle(double number);
 /// ID of a synchronised action

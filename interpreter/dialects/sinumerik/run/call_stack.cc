@@ -66,6 +66,11 @@ std::size_t CallStack::shown_level() const {
   return which;
 }
 
+source::Location CallStack::shown_place() const {
+  const std::size_t shown = shown_level();
+  return shown == depth_ ? here() : place_of_call(shown);
+}
+
 /// What waits on a level for a text that runs there, the innermost first.
 std::vector<runtime::CallSite> CallStack::waiting_on(const Level& level) {
   std::vector<runtime::CallSite> places;

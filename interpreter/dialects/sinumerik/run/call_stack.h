@@ -73,6 +73,8 @@ class CallStack {
   /// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the
   /// call; ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
   [[nodiscard]] std::size_t shown_level() const;
+  /// That block.
+  [[nodiscard]] source::Location shown_place() const;
   /// All levels, the innermost first; none before a run.
   [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
 

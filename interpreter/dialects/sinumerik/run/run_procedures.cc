@@ -180,15 +180,22 @@ MaybeFailure release_axis(Channel& channel, Operands& at, Arguments list) {
   return wrong;
 }
 
-/// SETAL(number, text): ends the program.
-MaybeFailure set_alarm(Channel& /*channel*/, Operands& at, Arguments list) {
+/// SETAL(number, text): ends the program, but for what is shown only.
+MaybeFailure set_alarm(Channel& channel, Operands& at, Arguments list) {
   const double given = rounded(at.number(list[0].value));
   if (MaybeFailure wrong = failure(wrong_alarm_number(given))) {
     return wrong;
   }
+  const int number = static_cast<int>(given);
+  const std::string text = list.size() > 1 ? at.text(list[1].value) : std::string();
+  if (is_shown_only(number)) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::OutOfTolerance,
+                         channel.shown_block(), fmt::format("{} {}", number, text));
+    return std::nullopt;
+  }
   Failure alarm = failure(AlarmId::CycleAlarm);
-  alarm.number = static_cast<int>(given);
-  alarm.text = list.size() > 1 ? at.text(list[1].value) : std::string();
+  alarm.number = number;
+  alarm.text = text;
   return alarm;
 }
 

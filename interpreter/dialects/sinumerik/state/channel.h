@@ -231,6 +231,7 @@ class Channel : public ChannelState {
   [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
   /// Where the program is, for reports from inside an expression.
   std::function<source::Location()> here;
+  std::function<source::Location()> shown_block;  ///< of an alarm: behind DISPLOF the call
   std::vector<source::Diagnostic> diagnostics;
   runtime::Warnings warnings;  ///< which of them are of blocks
   runtime::BlockWatch watch{runtime::Budget{}};
