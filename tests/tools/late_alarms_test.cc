@@ -85,8 +85,8 @@ TEST(LateAlarms, ACollisionOfAxesThatStillFollowIsThatOfTheirMove) {
       "[probe]\nball_diameter = 6.0\nlength = 50.0\n"
       "[[part]]\nname = \"block\"\nshape = \"block\"\nlength = 10.0\nwidth = 40.0\nheight = 20.0\n"
       "at = [60.0, 0.0, -100.0]\n";
-  for (const std::string behind : {"#1=1\nM30\n", "G4 X9.\nM30\n", "#3000=5\n", "#500=1/0\n",
-                                   "GOTO1\nN1 M30\n"}) {
+  for (const std::string behind :
+       {"#1=1\nM30\n", "G4 X9.\nM30\n", "#3000=5\n", "#500=1/0\n", "GOTO1\nN1 M30\n"}) {
     testing::TemporaryFolder folder;
     cli::RunOptions options;
     options.programs = {folder.write(

@@ -129,6 +129,8 @@ const Case kSyntax[] = {
     {"100,000 THEN", framed(repeated("IF[1EQ1]THEN", 100000)), 2, "2:133", "too many THEN"},
     {"10 MB of one letter", repeated("A", 10'000'000), 2, "1:1", "AAAAAAAA is neither"},
     {"binary", "\xFB\xC4\x01\x02\x1B[31m\n\xA0\n"s, 2, "1:1", "the byte 0xFB cannot begin a word"},
+    {"a bracket without its partner", framed("X5.)"), 2, "2:4", "')' is not an address letter"},
+    {"nothing behind a letter, CR LF", framed("G1X5.Y\r"), 2, "2:7", "Y needs a number"},
     {"an escape sequence", framed("\x1B[31mG0"), 2, "2:1", "the byte 0x1B cannot begin a word"},
     {"UTF-16, low byte first", "\xFF\xFEO\0\x31\0\n\0"s, 2, "1:1", "this file is UTF-16"},
     {"UTF-16, high byte first", "\xFE\xFF\0O\0\x31\0\n"s, 2, "1:1", "this file is UTF-16"},
