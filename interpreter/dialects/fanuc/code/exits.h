@@ -20,7 +20,8 @@ struct StepExits {
 };
 
 /// All ways that the program itself shows.  A jump whose target is computed, or is not there, may
-/// go to any label; an alarm is no way.
+/// go to any label; one of a window leads out of it where the label is not behind it there.  An
+/// alarm is no way.
 StepExits exits_of(const CompiledProgram& program, syntax::Index step);
 
 }  // namespace g31::fanuc
