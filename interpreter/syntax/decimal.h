@@ -17,13 +17,6 @@ inline void take_digits(std::string_view text, std::size_t& at, std::uint64_t& m
   }
 }
 
-/// The same where the text does not end before something that is no digit.
-inline void take_digits_before_end(const char* text, std::size_t& at, std::uint64_t& mantissa) {
-  for (; text[at] >= '0' && text[at] <= '9'; ++at) {
-    mantissa = mantissa * 10 + static_cast<unsigned char>(text[at] - '0');
-  }
-}
-
 inline constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 

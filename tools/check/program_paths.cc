@@ -41,16 +41,15 @@ bool is_program(const fs::path& path, bool beside_sinumerik) {
 void add_files(const fs::path& folder, std::map<fs::path, std::vector<fs::path>>& by_folder,
                std::vector<ProgramPaths::Closed>& closed) {
   std::vector<fs::path> below;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+  auto why = disk::look_into(folder.string(), [&](const fs::directory_entry& entry) {
     std::error_code ignored;
-    if (it->is_regular_file(ignored)) {
-      by_folder[folder].push_back(it->path());
-    } else if (it->is_directory(ignored) && !it->is_symlink(ignored)) {
-      below.push_back(it->path());
+    if (entry.is_regular_file(ignored)) {
+      by_folder[folder].push_back(entry.path());
+    } else if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) {
+      below.push_back(entry.path());
     }
-  }
-  if (auto why = disk::Disk().why_no_list(folder.string())) {
+  });
+  if (why) {
     closed.push_back({folder.lexically_normal().string(), *std::move(why)});
   }
   std::ranges::sort(below);

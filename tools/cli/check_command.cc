@@ -22,6 +22,7 @@
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
+#include "tools/session/load_programs.h"
 #include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
@@ -51,11 +52,8 @@ std::optional<session::Refusal> why_not(const CheckOptions& options) {
   }
   disk::Disk disk;
   for (const std::string& folder : options.libraries) {
-    if (!disk.has_folder(folder)) {
-      return session::bad_input(fmt::format("--lib {}: no such folder", folder));
-    }
-    if (const auto why = disk.why_no_list(folder)) {
-      return session::bad_input(fmt::format("cannot read the folder {}: {}", folder, *why));
+    if (auto wrong = session::wrong_library(disk, folder)) {
+      return wrong;
     }
   }
   std::vector<std::string> baselines;
@@ -113,7 +111,7 @@ std::vector<session::Refusal> left_out(const check::Request& request,
     all.push_back(session::bad_input(fmt::format("{}: no such file or folder", path)));
   }
   for (const auto& [folder, why] : request.paths.closed) {
-    all.push_back(session::bad_input(fmt::format("cannot read the folder {}: {}", folder, why)));
+    all.push_back(session::closed_folder(folder, why));
   }
   for (const std::string& path : checked.unreadable) {
     all.push_back(session::bad_input(fmt::format("cannot read the program {}", path)));

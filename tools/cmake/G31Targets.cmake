@@ -28,9 +28,9 @@ if(CMAKE_CXX_FLAGS MATCHES "sanitize")
 endif()
 
 # Release libraries that blocks go through one after the other (ACROSS_FILES: reading Fanuc blocks, what is made of a
-# block when it runs, and the machine) carry code for both ways of linking: g31 and the benchmarks are optimised across these files (plain
-# blocks run a tenth faster), the tests are linked file by file, in no time.  What runs once a run (G31_RUNS_ONCE in a folder's CMakeLists.txt: reading sheets,
-# writing documents) is compiled quickly instead.
+# block when it runs, and the machine) carry code for both ways of linking: g31 and the benchmarks are optimised across
+# these files (plain blocks run a tenth faster), the tests are linked file by file, in no time.  What runs once a run
+# (G31_RUNS_ONCE in a folder's CMakeLists.txt: reading sheets, writing documents) is compiled quickly instead.
 set(g31_has_both_codes FALSE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(g31_has_both_codes TRUE)

@@ -24,22 +24,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Looks at the entries of a folder one by one.  @returns why not at all of them
-template <typename Look>
-std::error_code each_in(const std::string& folder, Look look) {
-  std::error_code error;
-  for (fs::directory_iterator it(folder.empty() ? "." : real_path(folder), error), end;
-       !error && it != end; it.increment(error)) {
-    look(*it);
-  }
-  return error;
-}
-
 /// The names of those entries of a folder that are wanted, sorted.
 template <typename Wanted>
 std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   std::vector<std::string> names;
-  each_in(folder, [&](const fs::directory_entry& entry) {
+  look_into(folder, [&](const fs::directory_entry& entry) {
     if (is_wanted(entry)) {
       names.push_back(entry.path().filename().string());
     }
@@ -155,6 +144,21 @@ std::optional<std::string> Disk::read_part(const std::string& named, std::uint64
   return part;
 }
 
+std::optional<std::string> look_into(const std::string& folder,
+                                     const std::function<void(const fs::directory_entry&)>& look) {
+  const std::string path = folder.empty() ? "." : real_path(folder);
+  std::error_code error;
+  for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
+    look(*it);
+  }
+  std::error_code unknown;
+  if (!error && fs::hard_link_count(path, unknown) == 0) {
+    error =
+        std::make_error_code(std::errc::no_such_file_or_directory);  // deleted while we are in it
+  }
+  return error ? std::optional(error.message()) : std::nullopt;
+}
+
 std::vector<std::string> Disk::list(const std::string& folder) {
   return names_in(folder, [](const fs::directory_entry& entry) {
     std::error_code ignored;
@@ -163,13 +167,7 @@ std::vector<std::string> Disk::list(const std::string& folder) {
 }
 
 std::optional<std::string> Disk::why_no_list(const std::string& folder) {
-  std::error_code error = each_in(folder, [](const fs::directory_entry&) {});
-  std::error_code unknown;
-  if (!error && fs::hard_link_count(folder.empty() ? "." : real_path(folder), unknown) == 0) {
-    error =
-        std::make_error_code(std::errc::no_such_file_or_directory);  // deleted while we are in it
-  }
-  return error ? std::optional(error.message()) : std::nullopt;
+  return look_into(folder, [](const fs::directory_entry&) {});
 }
 
 std::vector<std::string> Disk::folders(const std::string& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -29,6 +30,12 @@ class Disk final : public source::FileSystem {
   std::vector<std::string> folders(const std::string& folder) override;
   bool has_folder(const std::string& folder) override;
 };
+
+/// Looks at the entries of a folder one by one, in no order.
+/// @returns why not at all of them, in the system's words
+std::optional<std::string> look_into(
+    const std::string& folder,
+    const std::function<void(const std::filesystem::directory_entry&)>& look);
 
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
 /// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it

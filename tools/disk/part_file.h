@@ -20,8 +20,8 @@ Result<std::filesystem::path, std::string> written_file(const std::string& path)
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
 /// small and nobody ever sees half of it; a link to a file stays one, be that file there or not,
 /// and so do owner and mode of a file that is replaced.  Its bytes are on the disk before it gets
-/// its name.  A device or a pipe is written as it is, a named pipe once somebody reads it within 3
-/// s and as long as something is taken from it (pipe_stream.h); "-" and what standard output goes
+/// its name.  A device or a pipe is written as it is, a named pipe once somebody reads it within
+/// 3 s and as long as something is taken from it (pipe_stream.h); "-" and what standard output goes
 /// to are standard output.  What a killed run left of the same file is removed.
 class PartFile {
  public:

@@ -12,20 +12,30 @@
 
 namespace g31::session {
 
+/// Why a folder that --lib names is none to look into; nullopt: it is one.
+inline std::optional<Refusal> wrong_library(source::FileSystem& files, const std::string& folder) {
+  if (!files.has_folder(folder)) {
+    return bad_input(fmt::format("--lib {}: no such folder", folder));
+  }
+  const auto why = files.why_no_list(folder);
+  return why ? std::optional(closed_folder(folder, *why)) : std::nullopt;
+}
+
 /// A folder and those below it, the upper ones first; what is hidden is not looked at.
-/// @returns why one of them cannot be looked into
+/// @returns why one below it cannot be looked into
 template <typename Library>
 std::optional<Refusal> add_tree(Library& library, source::FileSystem& files,
                                 const std::string& folder) {
-  if (const auto why = files.why_no_list(folder)) {
-    return bad_input(fmt::format("cannot read the folder {}: {}", folder, *why));
-  }
   library.add_folder(folder);
-  for (const std::string& below : files.folders(folder)) {
-    if (below.starts_with('.')) {
+  for (const std::string& name : files.folders(folder)) {
+    if (name.starts_with('.')) {
       continue;
     }
-    if (auto wrong = add_tree(library, files, folder + "/" + below)) {
+    const std::string below = folder + "/" + name;
+    if (const auto why = files.why_no_list(below)) {
+      return closed_folder(below, *why);
+    }
+    if (auto wrong = add_tree(library, files, below)) {
       return wrong;
     }
   }
@@ -44,8 +54,8 @@ std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths
   }
   library.add_folder(std::filesystem::path(paths.programs.front()).parent_path().string());
   for (const std::string& folder : paths.libraries) {
-    if (!files.has_folder(folder)) {
-      return bad_input(fmt::format("--lib {}: no such folder", folder));
+    if (auto wrong = wrong_library(files, folder)) {
+      return wrong;
     }
     if (auto wrong = add_tree(library, files, folder)) {
       return wrong;

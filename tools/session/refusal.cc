@@ -14,6 +14,10 @@ Refusal bad_input(std::string message) {
   return {Ending::BadInput, std::move(message)};
 }
 
+Refusal closed_folder(const std::string& folder, const std::string& why) {
+  return bad_input(fmt::format("cannot read the folder {}: {}", folder, why));
+}
+
 Refusal bad_setup(std::string message) {
   return {Ending::Setup, std::move(message)};
 }

@@ -83,12 +83,9 @@ Index ExpressionParser::fail_at(AlarmId id, syntax::ShortSpan where, std::string
 
 Index ExpressionParser::fail(AlarmId id, std::string message) {
   scanner_.peek();
-  const std::string_view text = scanner_.text();
   std::uint32_t here = scanner_.position();
   // A line that ends with CR LF ends before the CR.
-  const bool is_behind_return =
-      here > 0 && here < text.size() && text[here] == '\n' && text[here - 1] == '\r';
-  here -= is_behind_return ? 1U : 0U;
+  here -= here > 0 && scanner_.text().substr(here - 1, 2) == "\r\n" ? 1U : 0U;
   return fail_at(id, {here, here + 1}, std::move(message));
 }
 

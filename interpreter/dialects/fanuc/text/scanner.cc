@@ -18,10 +18,11 @@ constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }
 
-/// Steps over a blank.  @returns whether nothing that would belong to a number follows: a digit or
-/// a point behind a blank would
+/// Steps over a blank, and over the CR of a line end.  @returns whether nothing that would belong
+/// to a number follows: a digit or a point behind a blank would
 bool ends_plainly(std::string_view text, std::size_t& at) {
   at += at < text.size() && text[at] == ' ' ? 1U : 0U;
+  at += at + 1 < text.size() && text[at] == '\r' && text[at + 1] == '\n' ? 1U : 0U;
   const char next = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
   return is_letter(next) || next == '\n';
 }
@@ -198,37 +199,30 @@ std::int32_t Scanner::plain_integer() {
 }
 
 void Scanner::plain_words(std::vector<syntax::Word>& words) {
-  // Kept out of memory while words follow.
-  const char* const text = text_.data();
+  const std::string_view text = text_;  // what is looked at is kept out of memory
   std::size_t at = at_;
-  const auto shown = [&] { return kShown[static_cast<unsigned char>(text[at])]; };
-  while (at < last_line_end_) {
+  while (at < text.size()) {
     const std::size_t begin = at;
-    const char letter = shown();
+    const char letter = kShown[static_cast<unsigned char>(text[at])];
     if (!is_letter(letter)) {
       break;
     }
     ++at;
-    const bool is_negative = text[at] == '-';
+    const bool is_negative = at < text.size() && text[at] == '-';
     at += is_negative ? 1U : 0U;
     std::uint64_t mantissa = 0;
     const std::size_t number = at;
-    syntax::take_digits_before_end(text, at, mantissa);
+    syntax::take_digits(text, at, mantissa);
     std::size_t digits = at - number;
-    const bool has_point = text[at] == '.';
+    const bool has_point = at < text.size() && text[at] == '.';
     at += has_point ? 1U : 0U;
     const std::size_t behind_point = at;
     if (has_point) {
-      syntax::take_digits_before_end(text, at, mantissa);
+      syntax::take_digits(text, at, mantissa);
     }
     const std::size_t decimals = at - behind_point;
     digits += decimals;
-    at += text[at] == ' ' ? 1U : 0U;
-    at += text[at] == '\r' && text[at + 1] == '\n' ? 1U : 0U;
-    // A digit or a point behind a blank would belong to the number.
-    const char next = shown();
-    const bool ends_plainly = is_letter(next) || next == '\n';
-    if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly) {
+    if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text, at)) {
       at = begin;
       break;
     }

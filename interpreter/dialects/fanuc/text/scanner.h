@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -56,8 +55,7 @@ std::string digit_count(std::uint8_t digits);
 class Scanner {
  public:
   /// @param text must outlive the scanner and be shorter than 4 GiB
-  explicit Scanner(std::string_view text)
-      : text_(text), last_line_end_(std::max(text.rfind('\n') + 1, std::size_t{1}) - 1) {}
+  explicit Scanner(std::string_view text) : text_(text) {}
 
   [[nodiscard]] std::uint32_t position() const { return static_cast<std::uint32_t>(at_); }
   [[nodiscard]] bool at_end_of_text() const { return at_ >= text_.size(); }
@@ -106,8 +104,7 @@ class Scanner {
 
   /// Steps over words as nearly every block of a long program has them, and appends them: an
   /// address and its number without anything between them, one blank behind them at most, numbers
-  /// that are exact.  It ends before the first one that is written otherwise, and in the last line
-  /// where nothing ends that.
+  /// that are exact, and something behind them.  It ends before the first one that is otherwise.
   void plain_words(std::vector<syntax::Word>& words);
 
   /// Steps over a whole number of eight digits at most that ends its word as plain_words() has it.
@@ -139,7 +136,6 @@ class Scanner {
   void skip_comment();
 
   std::string_view text_;
-  std::size_t last_line_end_;  ///< before it no word ends with the text; 0: there is none
   std::size_t at_ = 0;
   syntax::ShortSpan comment_;
   char letters_[8] = {};

@@ -39,21 +39,13 @@ void CallStack::enter() {
   level().number = ++begun_;
 }
 
-source::Location CallStack::here() const {
-  if (action_ && action_->depth == depth_) {
-    return action_->where;
-  }
-  const CompiledProgram& program = *level().program;
-  return location_in(program, program.spans[static_cast<std::size_t>(current_)]);
-}
-
-source::Location CallStack::place_of_call(std::size_t which) const {
+source::Location CallStack::place_of(std::size_t which) const {
   if (action_ && action_->depth == which) {
     return action_->where;
   }
-  const Level& waiting = level(which);
-  const auto step = static_cast<std::size_t>(std::max(waiting.step - 1, 0));
-  return location_in(*waiting.program, waiting.program->spans[step]);
+  const CompiledProgram& program = *level(which).program;
+  const std::int32_t step = which == depth_ ? current_ : std::max(level(which).step - 1, 0);
+  return location_in(program, program.spans[static_cast<std::size_t>(step)]);
 }
 
 std::size_t CallStack::shown_level() const {
@@ -64,11 +56,6 @@ std::size_t CallStack::shown_level() const {
     }
   }
   return which;
-}
-
-source::Location CallStack::shown_place() const {
-  const std::size_t shown = shown_level();
-  return shown == depth_ ? here() : place_of_call(shown);
 }
 
 /// What waits on a level for a text that runs there, the innermost first.
@@ -89,8 +76,8 @@ std::vector<runtime::CallLevel> CallStack::call_levels() const {
   }
   const std::size_t shown = shown_level();
   for (std::size_t i = depth_ + 1; i-- > 0;) {
-    levels.push_back({level(i).program->name, i == depth_ ? here() : place_of_call(i), i <= shown,
-                      level(i).number, waiting_on(level(i))});
+    levels.push_back(
+        {level(i).program->name, place_of(i), i <= shown, level(i).number, waiting_on(level(i))});
   }
   return levels;
 }

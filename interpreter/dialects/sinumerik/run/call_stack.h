@@ -67,14 +67,12 @@ class CallStack {
 
   // What reports show of it
 
-  [[nodiscard]] source::Location here() const;
-  /// Where a level waits for the program that it called.
-  [[nodiscard]] source::Location place_of_call(std::size_t which) const;
+  /// The running block of a level, or the one in which it waits for the program that it called.
+  [[nodiscard]] source::Location place_of(std::size_t which) const;
+  [[nodiscard]] source::Location here() const { return place_of(depth_); }
   /// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the
   /// call; ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
   [[nodiscard]] std::size_t shown_level() const;
-  /// That block.
-  [[nodiscard]] source::Location shown_place() const;
   /// All levels, the innermost first; none before a run.
   [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
 

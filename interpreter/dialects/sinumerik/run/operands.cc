@@ -116,7 +116,7 @@ MaybeFailure Operands::assign(const Argument& target, double value) {
   if (!wrong && found.numbers != nullptr) {
     wrong = store(found, static_cast<std::size_t>(number(target.element)), *kept);
   }
-  return wrong ? MaybeFailure(failure(wrong->id, std::move(wrong->detail))) : std::nullopt;
+  return failure(std::move(wrong));
 }
 
 }  // namespace g31::sinumerik

@@ -26,7 +26,7 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
       system_(operands_, channel_, stack_, missed_),
       written_(operands_, channel_, system_) {
   channel_.here = [this] { return stack_.here(); };
-  channel_.shown_block = [this] { return stack_.shown_place(); };
+  channel_.shown_block = [this] { return stack_.place_of(stack_.shown_level()); };
   channel_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {
     return runtime::ProgramView{channel_.to_work(q_M), channel_.to_work(q_M_commanded),
                                 channel_.tool, runtime::calls_behind(stack_.call_levels())};
