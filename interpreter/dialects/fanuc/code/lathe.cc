@@ -1,5 +1,6 @@
 #include "interpreter/dialects/fanuc/code/lathe.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -41,6 +42,13 @@ bool is_tool_with_offset(const syntax::Word& word) {
   constexpr int kStation = 100;
   return word.letter == 'T' && word.form == ValueForm::Integer && word.digits == 4 &&
          word.number >= kStation;
+}
+
+/// Whether a block may show a sign at all: hardly any of a long program does.
+bool has_telling_letter(Words words) {
+  return std::ranges::any_of(words, [](const syntax::Word& word) {
+    return word.letter == 'S' || word.letter == 'T' || word.letter == 'U' || word.letter == 'W';
+  });
 }
 
 /// G65 and the like take U and W as arguments, G04 U as a time, an M code may be set up to.
@@ -87,6 +95,9 @@ std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
     }
     const syntax::Block& block = program.tree->blocks[step.block];
     const Words words = Words(program.tree->words).subspan(block.first_word, block.word_count);
+    if (!has_telling_letter(words)) {
+      continue;
+    }
     for (std::size_t sign = 0; sign < kSigns; ++sign) {
       if (found[sign] == nullptr) {
         found[sign] = sign_in(words, static_cast<Sign>(sign));
