@@ -28,12 +28,15 @@ if(CMAKE_CXX_FLAGS MATCHES "sanitize")
 endif()
 
 # Release libraries that blocks go through one after the other (ACROSS_FILES: reading Fanuc blocks, what is made of a
-# block when it runs, and the machine) carry code for both ways of linking: g31 and the benchmarks are optimised across
-# these files (plain blocks run a tenth faster), the tests are linked file by file, in no time.  What runs once a run
-# (G31_RUNS_ONCE in a folder's CMakeLists.txt: reading sheets, writing documents) is compiled quickly instead.
-set(g31_has_both_codes FALSE)
+# block when it runs, and the machine) are compiled as far as the linker needs to go on: g31 and the benchmarks are
+# optimised across these files (plain blocks run a tenth faster).  The tests are linked file by file, in no time: for
+# them the code of each such library is made when the first of them is built.  What runs once a run (G31_RUNS_ONCE in a
+# folder's CMakeLists.txt: reading sheets, writing documents) is compiled quickly instead.
+set(g31_links_across_files FALSE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  set(g31_has_both_codes TRUE)
+  set(g31_links_across_files TRUE)
+  set(CMAKE_AR ${CMAKE_CXX_COMPILER_AR})  # these read such code
+  set(CMAKE_RANLIB ${CMAKE_CXX_COMPILER_RANLIB})
 endif()
 
 function(g31_compile_quickly name)
@@ -43,7 +46,7 @@ function(g31_compile_quickly name)
 endfunction()
 
 function(g31_link_across_files name)
-  if(g31_has_both_codes)
+  if(g31_links_across_files)
     target_compile_options(${name} PRIVATE -flto=auto)
     # In one piece: where the linker divides the code costs or gains lines a tenth, by chance.
     target_link_options(${name} PRIVATE -flto=auto -flto-partition=none)
@@ -51,9 +54,38 @@ function(g31_link_across_files name)
 endfunction()
 
 function(g31_link_file_by_file name)
-  if(g31_has_both_codes)
+  set_target_properties(${name} PROPERTIES G31_FILE_BY_FILE TRUE)
+  if(g31_links_across_files)
     target_link_options(${name} PRIVATE -fno-lto)
   endif()
+endfunction()
+
+# A library that a program takes as code for the linker to go on with (CODE), or, linked file by file, as what is made
+# of that here.
+function(g31_library_of_two_codes name)
+  cmake_parse_arguments(arg "" "CODE" "DEPENDS" ${ARGN})
+  set(object ${CMAKE_CURRENT_BINARY_DIR}/${name}_by_file.o)
+  set(archive ${CMAKE_CURRENT_BINARY_DIR}/lib${name}_by_file.a)
+  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}")
+  add_custom_command(OUTPUT ${archive}
+    COMMAND ${CMAKE_CXX_COMPILER} ${flags} -r -nostdlib -flto=1 -flto-partition=none -flinker-output=nolto-rel
+      "$<TARGET_OBJECTS:${arg_CODE}>" -o ${object}
+    COMMAND ${CMAKE_COMMAND} -E rm -f ${archive}
+    COMMAND ${CMAKE_AR} qcs ${archive} ${object}
+    DEPENDS "$<TARGET_OBJECTS:${arg_CODE}>"
+    BYPRODUCTS ${object}
+    COMMENT "Making code of ${name} for programs linked file by file"
+    COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(${name}_make_by_file DEPENDS ${archive})
+  add_library(${name}_by_file STATIC IMPORTED GLOBAL)
+  set_target_properties(${name}_by_file PROPERTIES IMPORTED_LOCATION ${archive})
+  target_link_libraries(${name}_by_file INTERFACE ${arg_DEPENDS})
+  add_dependencies(${name}_by_file ${name}_make_by_file)
+  add_library(${name} INTERFACE)
+  target_link_libraries(${name} INTERFACE
+    $<IF:$<BOOL:$<TARGET_PROPERTY:G31_FILE_BY_FILE>>,${name}_by_file,${arg_CODE}>)
+  target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
+  target_compile_features(${name} INTERFACE cxx_std_20)
 endfunction()
 
 # What nearly every file includes is compiled once, and once more for the tests.  A file includes what it
@@ -73,28 +105,33 @@ option(G31_BATCHES "Compile libraries several files at a time" ON)
 
 function(g31_library name)
   cmake_parse_arguments(arg "ACROSS_FILES" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-  if(arg_SOURCES)
-    add_library(${name} STATIC ${arg_SOURCES})
-    target_link_libraries(${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
-    target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
-    target_compile_features(${name} PUBLIC cxx_std_20)
-    if(G31_RUNS_ONCE)
-      g31_compile_quickly(${name})
-      g31_take_prelude(${name} g31_quick_prelude quick)
-    else()
-      if(g31_has_both_codes AND arg_ACROSS_FILES)
-        target_compile_options(${name} PRIVATE -flto=auto -ffat-lto-objects)
-      endif()
-      g31_take_prelude(${name} g31_prelude fast)
-    endif()
-    if(G31_BATCHES)
-      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
-    endif()
-  else()
+  if(NOT arg_SOURCES)
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${arg_DEPENDS})
     target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
     target_compile_features(${name} INTERFACE cxx_std_20)
+    return()
+  endif()
+  set(code ${name})
+  if(g31_links_across_files AND arg_ACROSS_FILES)
+    set(code ${name}_across_files)
+    g31_library_of_two_codes(${name} CODE ${code} DEPENDS ${arg_DEPENDS} ${arg_PRIVATE_DEPENDS})
+  endif()
+  add_library(${code} STATIC ${arg_SOURCES})
+  target_link_libraries(${code} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
+  target_include_directories(${code} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_compile_features(${code} PUBLIC cxx_std_20)
+  if(G31_RUNS_ONCE)
+    g31_compile_quickly(${code})
+    g31_take_prelude(${code} g31_quick_prelude quick)
+  else()
+    if(NOT code STREQUAL name)
+      target_compile_options(${code} PRIVATE -flto=auto)
+    endif()
+    g31_take_prelude(${code} g31_prelude fast)
+  endif()
+  if(G31_BATCHES)
+    set_target_properties(${code} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
   endif()
 endfunction()
 
