@@ -151,3 +151,92 @@ T2 M6
 M30
 %
 (EXPECT NO WARNING PRB324)
+
+(CASE CL-13 I J K of G51 count only with parameter 5400.6)
+%
+O1
+G51 X0 Y0 I2000 J2000
+G0 X10.
+G50
+M30
+%
+(EXPECT MOVE 1 X10)
+(EXPECT WARNING PRB328 AT 3)
+
+(CASE CL-14 with it they do)
+(PARAMETER 5400.6 = 1)
+%
+O1
+G51 X0 Y0 I2000 J2000
+G0 X10.
+G50
+M30
+%
+(EXPECT MOVE 1 X20)
+(EXPECT NO WARNING PRB328)
+
+(CASE CL-15 L repeats a canned cycle with parameter 0001.1 only)
+%
+O1
+G81 X5. Z-5. R2. L3 F100.
+G80
+M30
+%
+(EXPECT WARNING PRB328 AT 3)
+
+(CASE CL-16 a cycle needs R and Z in its first block)
+%
+O1
+G0 Z10.
+G81 X5. Z-5. F100.
+G80
+M30
+%
+(EXPECT WARNING PRB329 AT 4)
+
+(CASE CL-17 and only there)
+%
+O1
+G81 X5. Z-5. R2. F100.
+X10.
+G80
+G81 X5. R2. Z-5.
+G80
+M30
+%
+(EXPECT NO WARNING PRB329)
+
+(CASE CL-18 the second cycle asks again)
+%
+O1
+G81 X5. Z-5. R2. F100.
+G80
+G81 X5. R2.
+G80
+M30
+%
+(EXPECT WARNING PRB329 AT 5)
+
+(CASE CL-19 an axis word before G65 is an argument and moves nothing)
+%
+O1
+X5. G65 P9500 A1.
+#101=#5041
+M30
+O9500
+#100=#24
+M99
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 0)
+(EXPECT WARNING PRB330 AT 3)
+
+(CASE CL-20 behind it is where arguments belong)
+%
+O1
+G65 X5. P9500 A1.
+M30
+O9500
+M99
+%
+(EXPECT NO WARNING PRB330)

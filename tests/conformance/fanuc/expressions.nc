@@ -420,3 +420,19 @@ M30
 (EXPECT #101 = 2)
 (EXPECT #102 = 7)
 (EXPECT #103 = 5)
+
+(CASE MB-040 the number of a variable has no decimal point)
+%
+O1
+#100.5=3
+M30
+%
+(EXPECT ALARM FORMAT AT 3)
+
+(CASE MB-040 as a value neither)
+%
+O1
+#1=#100.5
+M30
+%
+(EXPECT ALARM FORMAT AT 3)

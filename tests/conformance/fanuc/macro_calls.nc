@@ -557,3 +557,35 @@ O9100
 M99
 %
 (EXPECT #100 = 8)
+
+(CASE MB-196 F without a point follows the feed format)
+%
+O1
+G65 P9500 F10
+#100=#501
+G20
+G65 P9500 F10
+#101=#501
+G95
+G65 P9500 F10
+#102=#501
+G94
+G65 P9500 F10.
+#103=#501
+M30
+O9500
+#501=#9
+M99
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 0.1)
+(EXPECT #102 = 0.001)
+(EXPECT #103 = 10)
+
+(CASE MB-002 0 is no number of a program)
+(CONTROL fanuc-16i)
+%
+M98 P0
+M30
+%
+(EXPECT ALARM 78 AT 3)

@@ -646,3 +646,32 @@ O1
 M30
 %
 (EXPECT ALARM 115 AT 3)
+
+(CASE S-77 F without a point counts 0.001 mm a minute, as the setting comes)
+(SOURCE Haas, help with the decimal points: setting 77, F12 is 0.0012 inch a minute)
+%
+O1
+G1 X10. F12
+X20. F12.
+M30
+%
+(EXPECT MOVE 1 X10 F0.012)
+(EXPECT MOVE 2 X20 F12)
+
+(CASE S-77 and 0.0001 inch a minute)
+%
+O1
+G20
+G1 X1. F12
+#100=#4109
+M30
+%
+(EXPECT #100 = 0.0012)
+
+(CASE DPRNT needs no POPEN, the line is always open)
+%
+O1
+DPRNT[A]
+M30
+%
+(EXPECT NO WARNING PRB308)

@@ -192,3 +192,29 @@ M30
 (EXPECT #102 = 123)
 (EXPECT #103 = 123)
 (EXPECT #104 = 123)
+
+(CASE MB-190 codes before G65 take effect before the call)
+(SOURCE main programs of a mould shop that run so)
+%
+O1
+G55 G91 G65 P9500 X1.
+M30
+O9500
+#100=#4012
+#101=#4003
+#102=#24
+M99
+%
+(EXPECT #100 = 55)
+(EXPECT #101 = 91)
+(EXPECT #102 = 1)
+
+(CASE MB-197 behind it a code is no argument)
+%
+O1
+G65 P9500 G55
+M30
+O9500
+M99
+%
+(EXPECT ALARM 275 AT 3)

@@ -125,3 +125,69 @@ N5734R9
 G11
 M30
 (EXPECT ALARM 5046 AT 12)
+
+(CASE MB-020 F without a point counts 1 mm a minute)
+(SOURCE parameter 1403.0 of the 16i parameter manual, B-63190EN)
+%
+O1
+G1 X10. F100
+X20. F100.
+M30
+%
+(EXPECT MOVE 1 X10 F100)
+(EXPECT MOVE 2 X20 F100)
+
+(CASE MB-020 and 0.01 inch a minute)
+%
+O1
+G20 G1 X1. F100
+X2. F10.
+M30
+%
+(EXPECT MOVE 1 X25.4 F25.4)
+(EXPECT MOVE 2 X50.8 F254)
+
+(CASE MB-020 finer with parameter 1403.0)
+(PARAMETER 1403.0 = 1)
+%
+O1
+G1 X10. F100
+G20 G1 X1. F100
+#100=#4109
+M30
+%
+(EXPECT MOVE 1 X10 F0.1)
+(EXPECT #100 = 0.001)
+
+(CASE MB-020 with the pocket calculator's point it counts the unit)
+(PARAMETER 3401.0 = 1)
+%
+O1
+G20 G1 X1 F100
+#100=#4109
+M30
+%
+(EXPECT #100 = 100)
+
+(CASE G68 cutter compensation across the turned plane)
+(SOURCE 0i operator's manual B-63503EN: the plane of rotation and that of compensation must be the same)
+%
+O1
+G17 G68 X0 Y0 R90.
+G18
+G1 G41 D1 X10. Z0 F100.
+M30
+%
+(EXPECT ALARM 144 AT 6)
+
+(CASE G51 no scaling begins in cutter compensation)
+(SHEET [tools.1])
+(SHEET radius = 2.0)
+%
+O1
+G1 G41 D1 X5. F100.
+X10.
+G51 X0 Y0 P2000
+M30
+%
+(EXPECT ALARM 141 AT 7)

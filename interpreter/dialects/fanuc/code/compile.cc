@@ -141,7 +141,7 @@ bool Compiler::is_conditional(Index block) const {
 void Compiler::assign(const Block& block, Step& step) {
   const Expr& target = tree_.exprs[block.target];
   if (target.kind == ExprKind::Variable && tree_.exprs[target.a].kind == ExprKind::Number) {
-    step.number = literal_variable(tree_.exprs[target.a]);
+    step.number = expressions_.written_number(tree_.exprs[target.a]);
     step.target_kind = is_local(step.number)    ? TargetKind::Local
                        : is_common(step.number) ? TargetKind::Common
                                                 : TargetKind::Numbered;

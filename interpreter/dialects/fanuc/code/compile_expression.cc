@@ -99,13 +99,23 @@ Operand ExpressionCompiler::constant(double number) {
   return {Bank::Constants, static_cast<std::int32_t>(out_.constants.size() - 1)};
 }
 
+std::int32_t ExpressionCompiler::written_number(const Expr& number) {
+  const bool has_decimals = number.number != std::floor(number.number);
+  const auto is_in_brackets = [&] { return out_.file->text()[number.span.begin] == '['; };
+  if (has_decimals && !may_have_part(number.number) && !is_in_brackets()) {
+    misused(AlarmId::ExpressionFormat, number.span,
+            "the number of a variable has no decimals: a product needs its *, as in #100*.5");
+  }
+  return literal_variable(number);
+}
+
 Operand ExpressionCompiler::emit_variable(const Expr& expr) {
   const Expr& number = tree_.exprs[expr.a];
   const std::size_t result = temporaries_;
   Op op;
   op.code = OpCode::Read;
   if (number.kind == ExprKind::Number) {
-    const std::int32_t variable = literal_variable(number);
+    const std::int32_t variable = written_number(number);
     if (variable == 0) {
       return {};
     }

@@ -29,6 +29,9 @@ class ExpressionCompiler {
   /// Appends the code of what IF and WHILE ask for: a comparison, or several joined (MB-075).
   syntax::Index condition(syntax::Index expr);
 
+  /// The number of a variable that is written as one (MB-040).
+  std::int32_t written_number(const syntax::Expr& number);
+
   /// Appends the code of the number of the variable that an assignment sets: `#[expr]`, `[#NAME]`.
   syntax::Index target_number(const syntax::Expr& variable);
 

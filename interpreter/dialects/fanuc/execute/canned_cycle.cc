@@ -1,4 +1,6 @@
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -219,9 +221,26 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
   return std::nullopt;
 }
 
-Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
+/// Tells of a cycle that takes the level where it begins for its R or its bottom.
+void tell_missing_level(Control& control, const NcBlock& block, const Plane& plane) {
+  const char letter = kAxisLetters[static_cast<std::size_t>(plane.across)];
+  const bool has_r = block.words.has('R');
+  const bool has_bottom = block.words.has(letter);
+  if (!has_r || !has_bottom) {
+    control.warn_once(source::DiagnosticId::CycleWithoutLevel, block.where,
+                      has_r        ? std::string(1, letter)
+                      : has_bottom ? "R"
+                                   : fmt::format("R and {}", letter));
+  }
+}
+
+Result<int, Failure> repeats_of(Control& control, const NcBlock& block) {
   const char letter =
       control.parameters.is_on(ParameterId::TapeFormat) ? 'L' : control.profile.cycle_repeats;
+  if (letter == 'K' && block.words.has('L')) {  // K is of the cycle itself where L repeats
+    control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where,
+                      "K repeats a canned cycle, L with parameter 0001.1");
+  }
   const EvaluatedWord* const word = block.words.find(letter);
   if (word == nullptr) {
     return 1;
@@ -260,7 +279,7 @@ bool names_a_place(const NcBlock& block, const Plane& plane) {
 void start_canned_cycle(Control& control) {
   const Plane plane = cycle_plane(control);
   const double level = control.coordinates.programmed()[plane.across];
-  control.cycle = {level, level, level, 0.0, 0.0};
+  control.cycle = {level, level, level, 0.0, 0.0, false};
 }
 
 /// G73 to G89: a hole at each place that the block names; a block without axes makes none (MB-306
@@ -269,6 +288,9 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
   const Plane plane = cycle_plane(control);
   if (!block.has_axis_word && !block.words.has('R')) {
     return std::nullopt;
+  }
+  if (!std::exchange(control.cycle.has_begun, true)) {
+    tell_missing_level(control, block, plane);
   }
   if (auto failure = take_data(control, block, plane)) {
     return failure;

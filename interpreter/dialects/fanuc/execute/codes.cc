@@ -145,19 +145,6 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
   return std::nullopt;
 }
 
-/// F as a number in the unit in force, per minute or per revolution; without a point a feed per
-/// revolution counts hundredths of a mm, or thousandths with parameter 1405.1 (inch: a tenth of
-/// that).
-double feed_of(const Control& control, const EvaluatedWord& word) {
-  const bool counts = control.modal.group[Group::FeedMode].whole == 95 &&
-                      word.form == syntax::ValueForm::Integer && !control.scale.calculator_point;
-  if (!counts) {
-    return word.number;
-  }
-  const double per_mm = control.parameters.is_on(ParameterId::FineFeedPerTurn) ? 1000.0 : 100.0;
-  return word.number / (control.scale.unit == LengthUnit::Inch ? per_mm * 100.0 : per_mm);
-}
-
 /// How many digits the control takes of an M, S or T that a variable gave, too (MB-032).
 MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int number) {
   const auto limit = word.letter == 'M'   ? std::optional(ParameterId::DigitsOfM)
@@ -179,7 +166,7 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
       if (!fits_plain_word(word)) {
         return refused();
       }
-      control.modal.feed = feed_of(control, word);
+      control.modal.feed = written_feed(control, word);
       return std::nullopt;
     case 'M':
     case 'S':
@@ -245,6 +232,23 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
 }
 
 }  // namespace
+
+/// Without a point a feed per revolution counts hundredths of a mm, or thousandths with parameter
+/// 1405.1 (inch: a tenth of that), one per minute what the control has for it, or parameter 1403.0.
+double written_feed(const Control& control, const EvaluatedWord& word) {
+  if (word.form != syntax::ValueForm::Integer || control.scale.calculator_point) {
+    return word.number;
+  }
+  const bool inch = control.scale.unit == LengthUnit::Inch;
+  if (control.modal.group[Group::FeedMode].whole != 95) {
+    constexpr FeedCounts kFine = {1000.0, 100'000.0};
+    const bool fine = control.parameters.is_on(ParameterId::FineFeed);
+    const FeedCounts& counts = fine ? kFine : control.profile.feed_counts;
+    return word.number / (inch ? counts.per_inch : counts.per_mm);
+  }
+  const double per_mm = control.parameters.is_on(ParameterId::FineFeedPerTurn) ? 1000.0 : 100.0;
+  return word.number / (inch ? per_mm * 100.0 : per_mm);
+}
 
 bool commands_motion(const BlockWords& words) {
   bool has_axis = false;

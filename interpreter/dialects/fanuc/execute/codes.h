@@ -18,6 +18,9 @@ struct Codes {
   const GCode* contour_switch = nullptr;  ///< by Q, G08 by P
 };
 
+/// F as a number in the unit in force, per minute or per revolution.
+double written_feed(const Control& control, const EvaluatedWord& word);
+
 /// Whether the block moves axes, or would if they were not there already: axis words that no code
 /// takes for something else (MB-203).
 bool commands_motion(const BlockWords& words);

@@ -16,10 +16,11 @@ using namespace path;
 using State = CompensationCommand::State;
 
 /// Codes whose moves are no part of a path to be compensated.
-constexpr GAction kNeedCancel[] = {
-    GAction::CheckReference, GAction::ToReference,   GAction::FromReference,
-    GAction::MachineMove,    GAction::MeasureTool,   GAction::MeasureDiameter,
-    GAction::MeasureWork,    GAction::MeasureCentre, GAction::Skip};
+constexpr GAction kNeedCancel[] = {GAction::CheckReference, GAction::ToReference,
+                                   GAction::FromReference,  GAction::MachineMove,
+                                   GAction::MeasureTool,    GAction::MeasureDiameter,
+                                   GAction::MeasureWork,    GAction::MeasureCentre,
+                                   GAction::Skip,           GAction::Scaling};
 
 OffsetPlane offset_plane(const Control& control) {
   const Plane plane = control.modal.plane();
@@ -114,6 +115,9 @@ bool needs_cancel(const Control& control, const NcBlock& block) {
 Failure refusal(const NcBlock& block) {
   if (block.code == nullptr) {
     return block_failure(AlarmId::NotInCompensation, "a canned cycle in G41 or G42");
+  }
+  if (block.code->action == GAction::Scaling) {
+    return block_failure(AlarmId::ScalingInCompensation);
   }
   return block_failure(
       block.code->action == GAction::Skip ? AlarmId::SkipNotAllowed : AlarmId::NotInCompensation,
@@ -234,6 +238,11 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
                         : CompensationCommand::Written::Before;
   command.where = block.where;
   cutter.command = command;
+  const auto& rotation = control.transforms.rotation;
+  if (command.state == State::On && rotation &&
+      rotation->plane.across != control.modal.plane().across) {
+    return block_failure(AlarmId::PlaneInRotation);
+  }
   if (command.state == State::On && !cutter.compensation.engaged()) {
     if (cutter.corners.holds()) {
       return block_failure(AlarmId::CornerWithoutMove, "G41 and G42 begin behind a corner");

@@ -1,3 +1,4 @@
+#include <iterator>
 #include <utility>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -21,11 +22,15 @@ Result<double, Failure> scale_factor(const Control& control, const EvaluatedWord
                      : thousandths.error();
 }
 
-Result<Point, Failure> scale_factors(const Control& control, const NcBlock& block) {
+Result<Point, Failure> scale_factors(Control& control, const NcBlock& block) {
   constexpr char kAxisFactors[] = {'I', 'J', 'K'};
   const BlockWords& words = block.words;
-  const bool by_axis = control.parameters.is_on(ParameterId::ScaleByAxis) &&
-                       (words.has('I') || words.has('J') || words.has('K'));
+  const bool has_axis_factor = words.has_any(letters_of({kAxisFactors, std::size(kAxisFactors)}));
+  const bool by_axis = has_axis_factor && control.parameters.is_on(ParameterId::ScaleByAxis);
+  if (has_axis_factor && !by_axis) {
+    control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where,
+                      "G51 scales by P; by I J K with parameter 5400.6");
+  }
   Point factors;
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const ParameterId usual = by_axis ? ParameterId::UsualAxisScale : ParameterId::UsualScale;

@@ -55,8 +55,10 @@ Entry entry_of(const Profile& profile) {
        {"M97 P, M96 P Q", profile.has_local_calls ? "yes" : "no"},
        {"F in G31",
         profile.skip_feed == SkipFeed::Modal ? "stays in force" : "counts for its block only"},
-       {"DPRNT", fmt::format("{} to {} digits a variable{}", output.fewest_digits,
-                             output.most_digits, output.needs_popen ? ", after POPEN" : "")},
+       {"DPRNT",
+        fmt::format(
+            "{} to {} digits a variable{}", output.fewest_digits, output.most_digits,
+            output.without_popen == OutputRule::WithoutPopen::Alarm ? ", after POPEN" : "")},
        {"G codes of the family it lacks", missing_codes(profile)}}};
 }
 

@@ -19,6 +19,9 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWo
   if (!number) {
     return number.error();
   }
+  if (number.value() == 0) {
+    return at_word(AlarmId::CalledNotFound, p, "0 is no number of a program");
+  }
   const CompiledProgram* const program = find(number.value());
   if (program == nullptr) {
     return at_word(AlarmId::CalledNotFound, p,

@@ -27,9 +27,14 @@ std::size_t modal_depth(std::size_t which) {
 
 }  // namespace
 
-double argument_value(const EvaluatedWord& word, const WordScale& scale) {
-  return word.form == ValueForm::Integer && counts_increments(word.letter) ? scale.length(word)
-                                                                           : word.number;
+double argument_value(const Control& control, const EvaluatedWord& word) {
+  if (word.form != ValueForm::Integer) {
+    return word.number;
+  }
+  if (counts_increments(word.letter)) {
+    return control.scale.length(word);
+  }
+  return word.letter == 'E' || word.letter == 'F' ? written_feed(control, word) : word.number;
 }
 
 MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
@@ -58,7 +63,7 @@ MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
     if (variable > kLocalCount) {
       return at_word(AlarmId::IllegalArgumentLetter, word, "more than ten I J K");
     }
-    locals[static_cast<std::size_t>(variable)] = Cell(argument_value(word, control_.scale));
+    locals[static_cast<std::size_t>(variable)] = Cell(argument_value(control_, word));
     for (const auto& [begin, reading] : running_.readings()) {
       if (begin == word.span.begin) {
         made_of_.emplace_back(variable, reading);
@@ -102,7 +107,7 @@ void MacroArguments::keep_words() {
     const int variable = argument_variable(word.letter);
     if (variable != 0) {
       control_.modal.arguments.at(static_cast<std::size_t>(variable)) =
-          argument_value(word, control_.scale);
+          argument_value(control_, word);
     }
   }
 }

@@ -13,7 +13,7 @@ namespace g31::fanuc {
 inline constexpr std::size_t kVariableOfP = 16;
 
 /// What a word passes to a macro: without a point it counts least increments (MB-196).
-double argument_value(const EvaluatedWord& word, const WordScale& scale);
+double argument_value(const Control& control, const EvaluatedWord& word);
 
 /// What words of a call pass to a macro.
 class MacroArguments {

@@ -23,19 +23,31 @@ bool is_call_word(const EvaluatedWord& word, const EvaluatedWord& code) {
   return &word == &code || word.letter == 'P' || word.letter == 'L';
 }
 
+/// Whether a G word before the call is no argument but takes effect first.
+bool is_code_before(const EvaluatedWord& word, const EvaluatedWord& code, const Profile& profile) {
+  return profile.codes_before_call && word.letter == 'G' && &word < &code;
+}
+
 }  // namespace
 
 MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
   std::vector<EvaluatedWord>& arguments = arguments_of_call_;
   arguments.clear();
+  bool has_code_before = false;
   for (const EvaluatedWord& word : words_.all()) {
-    if (!is_call_word(word, code)) {
+    if (is_code_before(word, code, control_.profile)) {
+      has_code_before = true;
+    } else if (!is_call_word(word, code)) {
       arguments.push_back(word);
       if (argument_variable(word.letter) == 0) {
         return at_word(no_argument(word.letter), word);
       }
     }
   }
+  if (auto failure = has_code_before ? codes_before(code) : std::nullopt) {
+    return failure;
+  }
+  tell_argument_before(arguments, code);
   const EvaluatedWord* const p = words_.find('P');
   if (p == nullptr) {
     return at_word(AlarmId::CallWithoutProgram, code, "G65 without P");
@@ -49,6 +61,27 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
     return times.error();
   }
   return enter({program.value(), CallKind::Macro, CalledBy::Program, times.value()}, arguments);
+}
+
+/// G54 G65 P..: the codes before the call are a block of their own.
+MaybeFailure MacroCalls::codes_before(const EvaluatedWord& code) {
+  BlockWords codes;
+  for (const EvaluatedWord& word : words_.all()) {
+    if (is_code_before(word, code, control_.profile)) {
+      codes.add(word);
+    }
+  }
+  return execute_words(control_, codes, levels_.stack().here());
+}
+
+/// X5. G65 P..: no axis moves (MB-190).
+void MacroCalls::tell_argument_before(std::span<const EvaluatedWord> arguments,
+                                      const EvaluatedWord& code) {
+  if (!arguments.empty() && arguments.front().span.begin < code.span.begin) {
+    const EvaluatedWord& word = arguments.front();
+    control_.warn_once(source::DiagnosticId::ArgumentBeforeCall,
+                       levels_.stack().location(word.span), syntax::letter_text(word.letter));
+  }
 }
 
 MaybeFailure MacroCalls::call_by_code(const EvaluatedWord& code, int program_number, CalledBy by) {
@@ -68,7 +101,7 @@ MaybeFailure MacroCalls::call_by_code(const EvaluatedWord& code, int program_num
   }
   Variables::Locals locals;
   if (const EvaluatedWord* const p = words_.find('P')) {
-    locals[kVariableOfP] = Cell(argument_value(*p, control_.scale));
+    locals[kVariableOfP] = Cell(argument_value(control_, *p));
   }
   return enter({program.value(), CallKind::Macro, by, times.value()}, arguments, locals);
 }

@@ -36,6 +36,8 @@ class MacroCalls {
  private:
   MaybeFailure enter(const Entry& entry, std::span<const EvaluatedWord> arguments,
                      Variables::Locals locals = {});
+  MaybeFailure codes_before(const EvaluatedWord& code);
+  void tell_argument_before(std::span<const EvaluatedWord> arguments, const EvaluatedWord& code);
   Frame& frame() { return levels_.stack().frame(); }
 
   Control& control_;

@@ -82,12 +82,15 @@ MaybeFailure open_or_close(Control& control, OutputStatement statement) {
   return std::nullopt;
 }
 
-/// DPRNT and BPRNT without POPEN: an alarm or a note, as the control has it (MB-249, MB-374).
+/// DPRNT and BPRNT without POPEN: an alarm, a note or nothing, as the control has it (MB-249,
+/// MB-374).
 MaybeFailure refused_output(Control& control, OutputStatement statement, source::Location block) {
-  if (control.printer_open) {
+  using WithoutPopen = OutputRule::WithoutPopen;
+  const WithoutPopen rule = control.profile.output.without_popen;
+  if (control.printer_open || rule == WithoutPopen::Prints) {
     return std::nullopt;
   }
-  if (control.profile.output.needs_popen) {
+  if (rule == WithoutPopen::Alarm) {
     Failure failure;
     failure.id = AlarmId::PrinterClosed;
     failure.detail = fmt::format("{} without POPEN", info(statement).name);

@@ -97,7 +97,7 @@ Result<bool, Failure> WordCalls::call_by_address(const EvaluatedWord& word) {
   if (!fits_plain_word(word)) {
     return at_word(wrong_plain_word(word), word);
   }
-  control_.variables.set_common(call.variable, Cell(argument_value(word, control_.scale)));
+  control_.variables.set_common(call.variable, Cell(argument_value(control_, word)));
   return has_called(subprograms_.call_by_code(word, call.program));
 }
 

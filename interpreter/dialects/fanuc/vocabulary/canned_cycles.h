@@ -27,8 +27,9 @@ struct CycleData {
   double initial = 0.0;  ///< where the axis stood before the first cycle: what G98 returns to
   double r = 0.0;
   double bottom = 0.0;
-  double q = 0.0;        ///< mm, >= 0: depth of a peck, or the shift
-  double dwell_s = 0.0;  ///< P
+  double q = 0.0;          ///< mm, >= 0: depth of a peck, or the shift
+  double dwell_s = 0.0;    ///< P
+  bool has_begun = false;  ///< its first block has run
 
   bool operator==(const CycleData&) const = default;
 };

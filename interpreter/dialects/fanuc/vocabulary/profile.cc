@@ -87,6 +87,8 @@ constexpr Profile meldas() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.loops = {127, 27};
+  profile.feed_counts = {1.0, 1.0};
+  profile.codes_before_call = true;
   profile.has_bare_expressions = true;
   profile.joins_conditions = true;
   profile.own_g_codes = CodeSet::Meldas;
@@ -132,6 +134,7 @@ constexpr Profile haas() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;
+  profile.feed_counts = {1000.0, 10000.0};  // setting 77 as it comes: F12 is 0.0012 inch/min
   profile.macro_alarm.base = 1000;
   profile.macro_alarm.largest = 999;
   // Mill operator's manual 96-8000: G28, G43; G53 passes over work offsets for its block only
@@ -157,6 +160,7 @@ constexpr Profile haas() {
   profile.modal_layout[23] = 23;
   profile.first_centre_setting = 255;
   profile.output.fewest_digits = 1;
+  profile.output.without_popen = OutputRule::WithoutPopen::Prints;  // the line is always open
   profile.output.style.overflow = OutputStyle::Overflow::Widen;
   profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
   return profile;
@@ -173,7 +177,7 @@ constexpr Profile brother() {
   profile.macro_alarm.base = 9000;
   profile.macro_alarm.largest = 999;
   profile.macro_alarm.text_length = 20;
-  profile.output.needs_popen = true;
+  profile.output.without_popen = OutputRule::WithoutPopen::Alarm;
   profile.output.most_variables = 10;
   return profile;
 }

@@ -101,6 +101,12 @@ constexpr ModalLayout fanuc_modal_layout() {
 inline constexpr double kLargestOf16i = 1e47;
 inline constexpr double kSmallestOf16i = 1e-29;
 
+/// What an F without a decimal point counts, per minute: so many to a mm/min, to an inch/min.
+struct FeedCounts {
+  double per_mm = 1.0;
+  double per_inch = 100.0;
+};
+
 /// What SETVN may name (MB-104).
 struct NameRule {
   int first = 500;
@@ -123,6 +129,7 @@ struct Profile {
   double largest_result = kLargestOf16i;    ///< magnitude beyond it is alarm 111 (MB-047)
   double smallest_result = kSmallestOf16i;  ///< magnitude below it, but not 0, is alarm 111
   LogicOperands logic_operands = LogicOperands::Round;
+  FeedCounts feed_counts;  ///< parameter 1403.0 of Fanuc: 1 mm/min beside 0.01 inch/min
   bool has_series_30i_functions = false;
 
   // Statements
@@ -141,6 +148,7 @@ struct Profile {
   // Calls
   CallLevels calls;
   bool lone_cancel_is_alarm = false;  ///< G67 without G66 (MB-206)
+  bool codes_before_call = false;     ///< G54 G65 P..: the codes before G65 take effect first
   bool keeps_all_words = false;       ///< #4101 to #4126 show the last word of every letter
   bool has_local_calls = false;  ///< M97 P: a subprogram in the same text; M96 P Q: a jump by input
   char start_letter = 'Q';       ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)

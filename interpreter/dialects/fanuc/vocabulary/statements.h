@@ -42,9 +42,11 @@ struct OutputStyle {
 
 /// What a control prints and what it refuses (MB-239, MB-361, MB-373, MB-374).
 struct OutputRule {
-  OutputStyle style;         ///< of DPRNT with 6001.1 = 0
-  bool needs_popen = false;  ///< DPRNT and BPRNT without POPEN are an alarm
-  int fewest_digits = 0;     ///< integer places and decimals of one variable, DPRNT
+  enum class WithoutPopen : std::uint8_t { Alarm, Note, Prints };
+
+  OutputStyle style;                                ///< of DPRNT with 6001.1 = 0
+  WithoutPopen without_popen = WithoutPopen::Note;  ///< DPRNT and BPRNT
+  int fewest_digits = 0;  ///< integer places and decimals of one variable, DPRNT
   int most_digits = 8;
   int most_variables = 0;  ///< of one statement; 0: any
 };
