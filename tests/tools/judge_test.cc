@@ -200,6 +200,18 @@ TEST(Judge, RefusesWrongPlansAtTheirPlace) {
 }
 #undef PLAN
 
+TEST(Judge, RefusesPlansWhoseListsNestWithoutEnd) {
+  const TemporaryFolder folder;
+  const std::string lists = std::string(200'000, '[') + std::string(200'000, ']');
+  cli::JudgeOptions options;
+  options.plan =
+      folder.write("plan.json", "{\"schema\": \"g31.plan/1\", \"measures\": " + lists + "}");
+  options.results = folder.write("results.txt", "F1-X 40\n");
+  const JudgeOutput output = judged_by(options);
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("100 deep inside one another"), std::string::npos) << output.errors;
+}
+
 TEST(Judge, SaysWhichFileCannotBeRead) {
   const TemporaryFolder folder;
   cli::JudgeOptions options;

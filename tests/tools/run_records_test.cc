@@ -1,7 +1,10 @@
 // The document of a run is there whatever happened, and never that of an earlier run.
 
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -80,6 +83,92 @@ TEST(RunRecord, TakesThePlaceOfNothingThatIsRead) {
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_NE(said.errors.find("it would take the place of what is to be read"), std::string::npos);
   EXPECT_EQ(testing::text_of(program), "O1\nM30\n");
+}
+
+/// Each option that writes a file, pointed at a file that only the sheet or the program names.
+TEST(RunRecord, TakesThePlaceOfNothingThatASheetOrAProgramNames) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nM98 P2\nDPRNT[X]\nM30\n");
+  const std::string sheet =
+      folder.write("s.toml",
+                   "[control]\nvariables_file = \"kept.vars\"\n[machine]\nfile = \"m.toml\"\n"
+                   "[expect]\noutput_file = \"golden.txt\"\n");
+  const std::map<std::string, std::string> kFiles = {{"O0002.nc", "O2\nM99\n"},
+                                                     {"kept.vars", ""},
+                                                     {"m.toml", "name = \"M\"\n"},
+                                                     {"golden.txt", "GOLDEN\n"}};
+  for (const auto& [name, text] : kFiles) {
+    folder.write(name, text);
+  }
+  for (const char* const option : {"--json", "--jsonl", "--trace", "--readings", "--printer"}) {
+    for (const auto& [name, text] : kFiles) {
+      SCOPED_TRACE(std::string(option) + " " + name);
+      const std::string other = folder.path("./" + name);
+      const auto said = g31({"run", program, "--setup", sheet, option, other});
+      EXPECT_EQ(said.exit_code, 2);
+      EXPECT_NE(said.errors.find(other + ": it would take the place of what is to be read"),
+                std::string::npos)
+          << said.errors;
+      EXPECT_EQ(testing::text_of(folder.path(name)), text);
+      EXPECT_FALSE(std::filesystem::exists(folder.path(name + ".part")));
+    }
+  }
+}
+
+TEST(RunRecord, OfARefusedRunLeavesOtherFilesAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nM30\n");
+  const std::string broken = folder.write("s.toml", "[contr");
+  const std::string other = folder.write("other.nc", "O2\nM99\n");
+  const auto said = g31({"run", program, "--setup", broken, "--jsonl", other});
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_NE(said.errors.find("no document of g31"), std::string::npos) << said.errors;
+  EXPECT_EQ(testing::text_of(other), "O2\nM99\n");
+  const std::string log = folder.path("events.log");
+  EXPECT_EQ(g31({"run", program, "--jsonl", log}).exit_code, 0);
+  EXPECT_EQ(g31({"run", program, "--setup", broken, "--jsonl", log}).exit_code, 2);
+  EXPECT_NE(testing::text_of(log).find("SET102"), std::string::npos)
+      << "an earlier log is replaced";
+}
+
+TEST(Outputs, OfCheckSetupAndStudyTakeThePlaceOfNothingThatIsRead) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nM98 P2\n#100=1\nM30\n");
+  const std::string called = folder.write("O0002.nc", "O2\nM99\n");
+  const std::string machine = folder.write("m.toml", "name = \"M\"\n");
+  const std::string sheet = folder.write("s.toml", "[machine]\nfile = \"m.toml\"\n");
+  const std::string study = folder.write("st.toml",
+                                         "[study]\nprogram = \"a.nc\"\nsetup = \"s.toml\"\n"
+                                         "[results.r]\nvalue = \"#100\"\n");
+  const std::vector<std::vector<std::string>> kLines = {{"check", program, "--json", called},
+                                                        {"setup", sheet, "--json", machine},
+                                                        {"study", study, "--json", program},
+                                                        {"study", study, "--csv", machine},
+                                                        {"study", study, "--json", sheet}};
+  for (const std::vector<std::string>& line : kLines) {
+    SCOPED_TRACE(line[0] + " " + line[2] + " " + line[3]);
+    const std::string before = testing::text_of(line[3]);
+    const auto said = g31(line);
+    EXPECT_EQ(said.exit_code, 2);
+    EXPECT_NE(said.errors.find("it would take the place of what is to be read"), std::string::npos)
+        << said.errors;
+    EXPECT_EQ(testing::text_of(line[3]), before);
+  }
+}
+
+TEST(Outputs, CannotShareStandardOutput) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nM30\n");
+  for (const auto& [first, second] :
+       {std::pair("--json", "--trace"), std::pair("--jsonl", "--trace"),
+        std::pair("--json", "--readings"), std::pair("--json", "--printer"),
+        std::pair("--trace", "--readings")}) {
+    const auto said = g31({"run", program, second, "-", first, "-"});
+    EXPECT_EQ(said.exit_code, 2);
+    EXPECT_EQ(said.out, "");
+    EXPECT_EQ(said.errors,
+              fmt::format("g31: error: {} and {} cannot both be standard output\n", first, second));
+  }
 }
 
 TEST(RunRecord, NamesItsInputsWithTheirHashes) {

@@ -86,6 +86,35 @@ TEST_F(StudyErrors, OfKeysHavePlaceReasonAndWhatWouldBeRight) {
   }
 }
 
+TEST_F(StudyErrors, OfVariationsThatSayMoreThanTakesEffect) {
+  const std::string good = std::string(kHead) + kResult;
+  const FileCase kCases[] = {
+      {"one variable in two spellings",
+       good + "[[vary]]\nkey = \"variables.#100\"\nvalues = [1.0]\n[[vary]]\n"
+              "key = \"variables.#0100\"\nvalues = [7.0]\n",
+       ":10:7:", "this variation is a second one of variables.#100"},
+      {"a place and one of its numbers",
+       good + "[[vary]]\nkey = \"part.plug.at.X\"\nvalues = [1.0]\n[[vary]]\n"
+              "key = \"part.plug.at\"\nvalues = [[1.0, 2.0, 3.0]]\n",
+       ":10:7:", "this variation is a second one of part.plug.at.X"},
+      {"a width that nothing takes",
+       good + "[[vary]]\nkey = \"probe.length\"\ndistribution = \"normal\"\nmean = 1.0\n"
+              "deviation = 0.1\nlow = 0.5\n",
+       ":11:7:", "this variation has low, which a normal distribution does not take"},
+      {"a mean beside a list",
+       good + "[[vary]]\nkey = \"probe.length\"\nvalues = [1.0]\nmean = 1.0\n",
+       ":9:8:", "this variation has mean, which a list of values does not take"},
+      {"a value twice", good + "[[vary]]\nkey = \"probe.length\"\nvalues = [50.0, 50.0]\n",
+       ":8:17:", "this variation has two values called 50"},
+      {"a label twice",
+       good + "[[vary]]\nkey = \"probe.length\"\nvalues = [50.0, 51.0]\n"
+              "labels = [\"a\", \"a\"]\n",
+       ":8:17:", "this variation has two values called a"}};
+  for (const FileCase& c : kCases) {
+    expect_refused(c, run(c.text));
+  }
+}
+
 TEST_F(StudyErrors, OfVariationsHavePlaceReasonAndWhatWouldBeRight) {
   const std::string head = kHead;
   const std::string good = head + kResult;
@@ -218,7 +247,7 @@ TEST_F(StudyErrors, OfTheCommandLine) {
       {"nothing to do", none, "a study file is missing"},
       {"a shard that goes nowhere", shard, "--shard needs --json FILE"},
       {"part 3 of 2", third_of_two, "--shard 3/2: write i/n"},
-      {"two documents on standard output", both, "only one of --json, --csv and --svg"},
+      {"two documents on standard output", both, "--json and --csv cannot both be standard output"},
       {"merging while running", merge_and_study, "--merge takes shards only"},
       {"a folder that is not there", nowhere, "cannot write"},
   };

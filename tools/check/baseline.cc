@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "machine/base/json_nesting.h"
 #include "tools/check/extent.h"
 
 namespace g31::check {
@@ -27,7 +28,7 @@ const std::string* text_in(const Json& object, const char* key) {
 }  // namespace
 
 Result<Baseline, std::string> Baseline::read(const std::string& name, std::string_view text) {
-  const Json document = Json::parse(text, nullptr, false);
+  const Json document = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
   const std::string* const schema = text_in(document, "schema");
   const bool has_findings =
       document.is_object() && document.contains("findings") && document.at("findings").is_array();

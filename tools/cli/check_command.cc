@@ -19,6 +19,7 @@
 #include "tools/cli/progress.h"
 #include "tools/cli/read_input.h"
 #include "tools/cli/refusal_document.h"
+#include "tools/cli/run_inputs.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
@@ -194,12 +195,17 @@ ExitCode check_command(const CheckOptions& options) {
   }
   check::Request request = requested.value();
   disk::Disk disk;
-  source::SourceMap sources(disk);
+  RememberingDisk remembering(disk);
+  source::SourceMap sources(remembering);
   check::Findings checked;
   {
     Progress progress(request.paths.files.size(), "files", shows_progress(options.quiet));
     request.file_done = [&] { progress.one_done(); };
     checked = check::check(request, sources);
+  }
+  if (const auto wrong = wrong_place({{"--json", options.json}},
+                                     {{remembering.paths().begin(), remembering.paths().end()}})) {
+    return refuse(*wrong);
   }
   const std::vector<session::Refusal> missing = left_out(request, checked);
   const CheckFindings found = without_rules(

@@ -49,7 +49,15 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
                                             const std::vector<std::vector<std::string>>& inputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     const std::string& path = output->path;
-    if (path.empty() || path == "-") {
+    if (path.empty()) {
+      continue;
+    }
+    if (path == "-") {
+      const auto taken = std::ranges::find(outputs.begin(), output, path, &OutputPlace::path);
+      if (taken != output) {
+        return session::bad_input(
+            fmt::format("{} and {} cannot both be standard output", taken->option, output->option));
+      }
       continue;
     }
     const auto is_here = [&](const std::string& other) { return are_same(other, path); };

@@ -23,7 +23,7 @@ std::string why_no_printer(const std::string& text);
 
 /// Why outputs may not be where they are wanted: a file that is to be read is there, or another
 /// output is to be.
-/// @param inputs  lists of files and folders that the command reads
+/// @param inputs  lists of files and folders that the command reads, or has read
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
                                             const std::vector<std::vector<std::string>>& inputs);
 

@@ -74,11 +74,6 @@ Result<std::shared_ptr<Printouts>, session::Refusal> Printouts::open(const RunOp
   const std::shared_ptr<Printouts> printouts(new Printouts());
   if (options.printer.empty() || options.printer == "-") {
     const bool is_taken = options.json == "-" || options.jsonl == "-" || options.watch != nullptr;
-    if (is_taken && !options.printer.empty()) {
-      const std::string taker = options.json == "-" ? "--json -" : "--jsonl -";
-      return wrong_printer(
-          "-", fmt::format("{} writes to standard output, too: give one of them a file", taker));
-    }
     printouts->stream_ = is_taken ? nullptr : stdout;
     return printouts;
   }

@@ -99,8 +99,8 @@ runtime::Outcome outcome_of(const session::Refusal& wrong) {
 bool may_be_replaced(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (!fs::is_regular_file(path, error) || path.ends_with(".json") || path.ends_with(".html") ||
-      fs::file_size(path, error) == 0) {
+  if (!fs::is_regular_file(path, error) || path.ends_with(".json") || path.ends_with(".jsonl") ||
+      path.ends_with(".html") || fs::file_size(path, error) == 0) {
     return true;
   }
   constexpr std::size_t kHead = 64;
@@ -108,9 +108,9 @@ bool may_be_replaced(const std::string& path) {
   return disk.read_part(path, 0, kHead).value_or("").find("\"g31.") != std::string::npos;
 }
 
-session::Refusal not_a_document(const std::string& json) {
+session::Refusal not_a_document(std::string_view option, const std::string& path) {
   return session::bad_input(
-      fmt::format("--json {}: this file is no document of g31, so it stays as it is", json));
+      fmt::format("{} {}: this file is no document of g31, so it stays as it is", option, path));
 }
 
 ExitCode refuse(const session::Refusal& given, const std::string& json, std::string_view schema) {
@@ -120,7 +120,7 @@ ExitCode refuse(const session::Refusal& given, const std::string& json, std::str
     return code;  // who interrupts the work wants no file of it
   }
   const auto unwritten = may_be_replaced(json) ? write_out(json, document_of(wrong, schema))
-                                               : std::optional(not_a_document(json));
+                                               : std::optional(not_a_document("--json", json));
   return unwritten ? refuse(*unwritten) : code;
 }
 

@@ -28,7 +28,7 @@ std::string document_of(const runtime::Outcome& outcome, ExitCode code, std::str
 bool may_be_replaced(const std::string& path);
 
 /// Why that document may not be where --json wants it.
-session::Refusal not_a_document(const std::string& json);
+session::Refusal not_a_document(std::string_view option, const std::string& path);
 
 /// Says why on standard error and, where --json wants a document, in one of `schema`, `status`,
 /// `exit_code` and `diagnostics`.  Work that was interrupted leaves none.

@@ -28,6 +28,7 @@
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
 #include "tools/setup/duration.h"
+#include "tools/setup/job_files.h"
 #include "tools/setup/name_list.h"
 
 namespace g31::cli {
@@ -177,6 +178,11 @@ std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs
 ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   const RunState before = opened.options.changes ? state_of(opened.run.session()) : RunState();
   const session::Heard heard = carried_out(opened);
+  // Which programs are called shows while it runs.
+  if (const auto wrong = wrong_place_of(opened.options,
+                                        {opened.disk.paths().begin(), opened.disk.paths().end()})) {
+    return refuse(*wrong);
+  }
   report::RunResult result = result_of(opened, heard);
   std::vector<Refusal> problems = unwritten_files(opened, outputs, heard.outcome);
   std::optional<ExitCode> unwritten;
@@ -351,6 +357,9 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   }
   if (options.watch != nullptr) {
     look_at(prepared.job, *options.watch);
+  }
+  if (const auto wrong = wrong_place_of(options, setup::files_of(prepared.job))) {
+    return refuse(*wrong);
   }
   const auto line = checked(options, prepared.job);
   return line ? open_and_run(options, prepared, line.value(), remembering)

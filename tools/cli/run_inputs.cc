@@ -4,6 +4,7 @@
 
 #include "tools/disk/file_hash.h"
 #include "tools/disk/shipped.h"
+#include "tools/setup/job_files.h"
 
 namespace g31::cli {
 namespace {
@@ -53,12 +54,8 @@ void RunInputs::add(const session::Request& request) {
 }
 
 void RunInputs::add(const setup::Job& job) {
-  for (const std::string& path : job.sheets) {
+  for (const std::string& path : setup::files_of(job)) {
     add(path);
-  }
-  add(job.control.variables_file);
-  for (const parts::PartSetup& part : job.parts) {
-    add(part.file);
   }
 }
 

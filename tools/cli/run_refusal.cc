@@ -55,9 +55,13 @@ std::optional<session::Refusal> write_refusal(const RunOptions& options, const s
   });
 }
 
-/// Writes the events of a run that did not begin: its messages and its end.
+/// Writes the events of a run that did not begin, its messages and its end, where they take nobody
+/// else's place.
 std::optional<session::Refusal> write_refusal_events(const RunOptions& options,
                                                      const session::Refusal& wrong) {
+  if (!may_be_replaced(options.jsonl)) {
+    return not_a_document("--jsonl", options.jsonl);
+  }
   const report::RunResult result = result_of(options, wrong);
   disk::Disk disk;
   const source::SourceMap no_sources(disk);
@@ -89,7 +93,7 @@ std::optional<session::Refusal> write_refusal_with_care(const RunOptions& option
                                                         const std::string& json,
                                                         const session::Refusal& wrong) {
   if (!may_be_replaced(json)) {
-    return not_a_document(json);
+    return not_a_document("--json", json);
   }
   return write_refusal(options, json, wrong);
 }
@@ -114,21 +118,18 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
   return code;
 }
 
-/// Why something that the run writes may not be where it is wanted.
-std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
-  if (options.json == "-" && options.jsonl == "-") {
-    return session::bad_input("--json and --jsonl cannot both be standard output");
-  }
+}  // namespace
+
+std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
+                                               const std::vector<std::string>& read) {
   return wrong_place({{"--json", options.json},
                       {"--jsonl", options.jsonl},
                       {"--report", options.report},
                       {"--trace", options.trace},
                       {"--readings", options.readings},
                       {"--printer", options.printer}},
-                     {options.programs, options.setups, {options.compare}});
+                     {options.programs, options.setups, {options.compare}, read});
 }
-
-}  // namespace
 
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
   const bool is_option = json.starts_with('-') && json != "-";
@@ -141,7 +142,7 @@ void tell_usage_error(const RunOptions& options, const std::string& json, const 
 }
 
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
-  if (const auto wrong = wrong_place_of(options)) {
+  if (const auto wrong = wrong_place_of(options, {})) {
     return refuse(*wrong);
   }
   const disk::WaitingLimit limit(options.budget.wall_seconds);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "machine/base/result.h"
 #include "tools/cli/exit_code.h"
@@ -17,6 +19,11 @@ using RunWork = std::function<Result<ExitCode, session::Refusal>()>;
 /// that is violated; and in the page of --report.  A document of an earlier run is gone before the
 /// work begins.
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work);
+
+/// Why something that the run writes may not be where it is wanted.
+/// @param read  what the run reads, or has read, beside the files of the command line
+std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
+                                               const std::vector<std::string>& read);
 
 /// The document of a command line that is refused before anything is read of it.
 /// @param json  where --json wants it; "": nowhere

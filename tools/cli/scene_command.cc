@@ -109,7 +109,7 @@ std::optional<session::Refusal> tell(const SceneOptions& options, const runtime:
     return std::nullopt;
   }
   return may_be_replaced(json) ? write_out(json, document_of(outcome, code, kSchema, sources))
-                               : std::optional(not_a_document(json));
+                               : std::optional(not_a_document("--json", json));
 }
 
 Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {

@@ -23,6 +23,9 @@ ExitCode setup_command(const SetupOptions& options) {
     return refuse(reviewed.error(), options.json, "g31.setup/1");
   }
   const review::Review& review = reviewed.value();
+  if (const auto wrong = wrong_place({{"--json", options.json}}, {review.files})) {
+    return refuse(*wrong);
+  }
   disk::Disk disk;
   const source::SourceMap sources(disk);
   std::string text;

@@ -103,6 +103,17 @@ Result<std::optional<study::Shard>, Refusal> asked_shard(const StudyOptions& opt
   return shard;
 }
 
+/// Why something that the study writes may not be where it is wanted.
+/// @param read  what the study reads
+std::optional<Refusal> wrong_place_of(const StudyOptions& options,
+                                      const std::vector<std::string>& read) {
+  return wrong_place({{"--json", options.json},
+                      {"--csv", options.csv},
+                      {"--svg", options.svg},
+                      {"--report", options.report}},
+                     {options.merge, {options.study}, read});
+}
+
 Made run_study(const StudyOptions& options) {
   const auto asked = asked_shard(options);
   if (!asked) {
@@ -129,6 +140,9 @@ Made run_study(const StudyOptions& options) {
     return created.error();
   }
   study::StudyRuns& runs = *created.value();
+  if (auto wrong = wrong_place_of(options, runs.files())) {
+    return *std::move(wrong);
+  }
   std::fputs(runs.part_findings().c_str(), stderr);
   study::RunSpan span{0, study::run_count(study)};
   if (shard) {
@@ -253,14 +267,7 @@ ExitCode study_command(const StudyOptions& options) {
     return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"), options.json,
                   kSchema);
   }
-  if ((options.json == "-") + (options.csv == "-") + (options.svg == "-") > 1) {
-    return refuse(session::bad_input("only one of --json, --csv and --svg can be standard output"));
-  }
-  if (const auto wrong = wrong_place({{"--json", options.json},
-                                      {"--csv", options.csv},
-                                      {"--svg", options.svg},
-                                      {"--report", options.report}},
-                                     {options.merge, {options.study}})) {
+  if (const auto wrong = wrong_place_of(options, {})) {
     return refuse(*wrong);
   }
   if (const auto wrong = wrong_report(options.report)) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "machine/base/json_nesting.h"
 #include "tools/picture/tip.h"
 
 namespace g31::page {
@@ -71,7 +72,7 @@ Json touches_of(const Json& touches, const setup::Job& job, const Point& p_tip) 
 }  // namespace
 
 Result<OtherRun, std::string> other_run(const std::string& document, const setup::Job& job) {
-  const Json read = Json::parse(document, nullptr, false);
+  const Json read = nests_too_deep(document) ? Json() : Json::parse(document, nullptr, false);
   if (!read.is_object() || read.value("schema", Json()) != "g31.run/1") {
     return std::string("it is no document g31.run/1, as g31 run --json writes it");
   }

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "machine/base/json_nesting.h"
+
 namespace g31::plan {
 namespace {
 
@@ -26,6 +28,12 @@ std::string place_of(const std::string& name, std::string_view text, std::size_t
 }
 
 Problem parse(const std::string& name, std::string_view text, PlanJson& document) {
+  if (nests_too_deep(text)) {
+    return fmt::format(
+        "{}: lists stand more than {} deep inside one another; expected a plan.json "
+        "of g31 plan",
+        name, kDeepestJson);
+  }
   try {
     document = PlanJson::parse(text);
   } catch (const PlanJson::parse_error& error) {

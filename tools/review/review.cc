@@ -17,6 +17,7 @@
 #include "tools/review/setup_rules.h"
 #include "tools/review/unread_variables.h"
 #include "tools/session/world.h"
+#include "tools/setup/job_files.h"
 
 namespace g31::review {
 namespace {
@@ -170,8 +171,8 @@ Result<Review, session::Refusal> review(const session::Request& request) {
   if (!listing) {
     return listing.error();
   }
-  Review review{prepared.value().control, placed_parts(built.value().parts), reach_of(job),
-                built.value().findings};
+  Review review{prepared.value().control, placed_parts(built.value().parts), setup::files_of(job),
+                reach_of(job), built.value().findings};
   std::ranges::move(session::lost_variables(job), std::back_inserter(review.findings));
   judge_places(job, review.parts, review.reach, review.findings);
   judge_start(job, review.findings);

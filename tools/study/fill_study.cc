@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 using setup::SetupErrorId;
 using Texts = std::vector<std::string>;
+
+/// Whether two keys name the same value of a sheet, or one a part of the other's.
+bool varies_the_same(const setup::VariedKey& a, const setup::VariedKey& b) {
+  const bool may_overlap = !a.component || !b.component || a.component == b.component;
+  return a.section == b.section && a.name == b.name && a.key == b.key && may_overlap;
+}
 
 /// Fills one study from its tables.
 class StudyFill {
@@ -166,23 +173,59 @@ class StudyFill {
                   "for example: values = [0.0, 0.001]");
       return;
     }
-    if (!varied_.insert(path).second) {
-      errors_.add(SetupErrorId::BadVariation, key.where,
-                  {fmt::format("is a second one of {}", path)}, "keep one [[vary]] of it");
+    if (has_stray_keys(table, is_listed)) {
       return;
     }
     if (path == "setup" && is_listed) {
-      add_sheets(table);
+      if (std::exchange(varies_setup_, true)) {
+        tell_second(key, path);
+      } else {
+        add_sheets(table);
+      }
       return;
     }
     const auto target = setup::find_varied_key(path);
     if (!target) {
       errors_.add(SetupErrorId::NothingToVary, key.where, {path, target.error()});
-    } else if (is_listed) {
+      return;
+    }
+    const auto first = std::ranges::find_if(varied_, [&](const setup::VariedKey& other) {
+      return varies_the_same(other, target.value());
+    });
+    if (first != varied_.end()) {
+      tell_second(key, first->path);
+      return;
+    }
+    varied_.push_back(target.value());
+    if (is_listed) {
       add_list(table, target.value());
     } else {
       add_drawn(table, target.value());
     }
+  }
+
+  void tell_second(const StudyEntry& key, const std::string& path) {
+    errors_.add(SetupErrorId::BadVariation, key.where, {fmt::format("is a second one of {}", path)},
+                "keep one [[vary]] of it");
+  }
+
+  /// Keys of the other ways to vary, which would have no effect.
+  bool has_stray_keys(const StudyTable& table, bool is_listed) {
+    const bool is_normal = table.get(StudyKey::Distribution, std::string()) == "normal";
+    const std::string_view way = is_listed   ? "a list of values"
+                                 : is_normal ? "a normal distribution"
+                                             : "a uniform distribution";
+    for (const StudyKey key :
+         {StudyKey::Low, StudyKey::High, StudyKey::Mean, StudyKey::Deviation}) {
+      const bool is_of_normal = key == StudyKey::Mean || key == StudyKey::Deviation;
+      const StudyEntry* const entry = table.find(key);
+      if (entry != nullptr && (is_listed || is_of_normal != is_normal)) {
+        errors_.add(SetupErrorId::BadVariation, entry->where,
+                    {fmt::format("has {}, which {} does not take", row_of(key).name, way)});
+        return true;
+      }
+    }
+    return false;
   }
 
   /// What tables call the values; the labels given, if they are as many.
@@ -255,8 +298,14 @@ class StudyFill {
   }
 
   void name_values(ListedAxis& axis, const Texts& labels) {
+    std::set<std::string> seen;
     for (std::size_t i = 0; i < axis.values.size(); ++i) {
       axis.values[i].label = labels[i];
+      if (!seen.insert(labels[i]).second) {
+        errors_.add(SetupErrorId::BadVariation, axis.values[i].where,
+                    {fmt::format("has two values called {}", labels[i])},
+                    "tables could not tell them apart: leave one out, or give `labels`");
+      }
     }
     study_.listed.push_back(std::move(axis));
   }
@@ -321,8 +370,9 @@ class StudyFill {
   fs::path folder_;
   setup::ErrorList& errors_;
   Study study_;
-  bool has_evaluation_ = false;   // right or wrong
-  std::set<std::string> varied_;  // their keys
+  bool has_evaluation_ = false;  // right or wrong
+  std::vector<setup::VariedKey> varied_;
+  bool varies_setup_ = false;
 };
 
 }  // namespace

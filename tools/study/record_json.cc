@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "machine/base/contract.h"
+#include "machine/base/json_nesting.h"
 
 namespace g31::study {
 namespace {
@@ -223,6 +224,9 @@ std::string record_json(const Record& record) {
 }
 
 Result<Record, std::string> parse_record(std::string_view text) {
+  if (nests_too_deep(text)) {
+    return std::string("lists stand too deep inside one another in it");
+  }
   try {
     const Json json = Json::parse(text);
     const auto schema = json.at("schema").get<std::string>();
@@ -240,8 +244,11 @@ Result<Record, std::string> parse_record(std::string_view text) {
     }
     const std::string crooked = why_crooked(record);
     return crooked.empty() ? Result<Record, std::string>(std::move(record)) : crooked;
-  } catch (const Json::exception& error) {
-    return std::string(error.what());
+  } catch (const Json::parse_error&) {
+    return std::string("it is no JSON document, or not all of one");
+  } catch (const Json::exception&) {
+    return std::string(
+        "it is not as g31 study --shard K/N --json FILE has written it: write it anew");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "interpreter/source/diagnostic.h"
 #include "tools/disk/disk.h"
+#include "tools/setup/job_files.h"
 #include "tools/study/grid.h"
 
 namespace g31::study {
@@ -132,6 +134,20 @@ void StudyRuns::describe() {
   for (const DrawnAxis& axis : study_.drawn) {
     description_.drawn.push_back(axis.target.path);
   }
+}
+
+std::vector<std::string> StudyRuns::files() const {
+  std::vector<std::string> all = programs_.paths();
+  for (const setup::SheetStack& stack : jobs_.stacks()) {
+    for (const auto& document : stack.documents()) {
+      all.push_back(document->path);
+    }
+  }
+  const auto job = jobs_.at(0, {});
+  if (job) {
+    std::ranges::copy(setup::files_of(job.value()), std::back_inserter(all));
+  }
+  return all;
 }
 
 /// FNV-1a over all texts that a person writes for a study.

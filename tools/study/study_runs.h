@@ -39,6 +39,9 @@ class StudyRuns {
 
   [[nodiscard]] const Description& description() const { return description_; }
 
+  /// Files that programs and sheets are read from, or that the sheets name.
+  [[nodiscard]] std::vector<std::string> files() const;
+
   /// What is wrong with the meshes of the sheets' own parts, as lines for people; it makes findings
   /// of all runs.
   [[nodiscard]] const std::string& part_findings() const { return part_findings_; }
