@@ -34,6 +34,9 @@ class FanucPrograms final : public ProgramSet {
     return true;
   }
   void add_folder(const std::string& folder) override { library_.add_folder(folder); }
+  void add_shipped_folder(const std::string& folder) override {
+    library_.add_shipped_folder(folder);
+  }
 
   const source::SourceFile& text(const std::string& path) override {
     const source::SourceFile* const text = library_.text_of(path);

@@ -25,6 +25,8 @@ class ProgramSet {
   /// @returns whether the file could be read
   virtual bool add_file(const std::string& path) = 0;
   virtual void add_folder(const std::string& folder) = 0;
+  /// The same of what comes with g31, behind all others.
+  virtual void add_shipped_folder(const std::string& folder) = 0;
 
   /// The text of a file that was added.
   virtual const source::SourceFile& text(const std::string& path) = 0;

@@ -28,6 +28,9 @@ class SinumerikPrograms final : public ProgramSet {
     return library_.add_file(path) == sinumerik::ProgramLibrary::Added::Yes;
   }
   void add_folder(const std::string& folder) override { library_.add_folder(folder); }
+  void add_shipped_folder(const std::string& folder) override {
+    library_.add_shipped_folder(folder);
+  }
 
   const source::SourceFile& text(const std::string& path) override {
     const sinumerik::ProgramFile* const file = library_.file(path);

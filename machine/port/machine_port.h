@@ -158,7 +158,11 @@ struct SkipMove {
 
 using SkipOutcome = std::variant<Touched, NoTouch, NoEdge>;
 
-enum class FaultKind { SoftLimit, Collision };
+enum class FaultKind {
+  SoftLimit,
+  NoAxis,  ///< one was to move that the machine does not have
+  Collision
+};
 
 /// Why a machine refused or broke off a move.  The *dialect* turns a soft limit into its own alarm
 /// number; a collision ends the run.

@@ -279,7 +279,9 @@ void MachiningCentre::trace(double period_s, TraceSink& sink) {
 }
 
 MachineFault MachiningCentre::soft_limit_fault(const AxisPositions& q_M_end) const {
-  return {FaultKind::SoftLimit, limits_.violation(q_M_end), q_M_, std::nullopt};
+  const FaultKind kind =
+      limits_.is_without_axis(q_M_end) ? FaultKind::NoAxis : FaultKind::SoftLimit;
+  return {kind, limits_.violation(q_M_end), q_M_, std::nullopt};
 }
 
 MachineFault MachiningCentre::stop_at(Obstacle obstacle, const AxisPositions& q_M_stop,

@@ -30,7 +30,7 @@ std::optional<AxisTravel> TravelLimits::of(int axis) const {
              : std::nullopt;
 }
 
-std::string TravelLimits::violation(const AxisPositions& q_M) const {
+std::size_t TravelLimits::first_outside(const AxisPositions& q_M) const {
   G31_EXPECTS(!contain(q_M));
   std::size_t i = 0;
   const auto inside = [&](Eigen::Index axis) {
@@ -39,6 +39,11 @@ std::string TravelLimits::violation(const AxisPositions& q_M) const {
   while (inside(static_cast<Eigen::Index>(i))) {
     ++i;
   }
+  return i;
+}
+
+std::string TravelLimits::violation(const AxisPositions& q_M) const {
+  const std::size_t i = first_outside(q_M);
   const auto axis = static_cast<Eigen::Index>(i);
   const char letter = kAxisLetters[i];
   const char* const unit = unit_of_axis(i);

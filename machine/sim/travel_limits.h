@@ -28,7 +28,14 @@ class TravelLimits {
   /// position asked for and the limit.  @param q_M  mm and deg, not contained
   [[nodiscard]] std::string violation(const AxisPositions& q_M) const;
 
+  /// Of such a position: whether that is an axis which the machine does not have.
+  [[nodiscard]] bool is_without_axis(const AxisPositions& q_M) const {
+    return !present_.at(first_outside(q_M));
+  }
+
  private:
+  [[nodiscard]] std::size_t first_outside(const AxisPositions& q_M) const;
+
   AxisPositions min_;
   AxisPositions max_;
   std::array<bool, kAxisCount> present_;

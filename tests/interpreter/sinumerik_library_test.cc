@@ -44,13 +44,14 @@ class Files final : public source::FileSystem {
   int reads_ = 0;
 };
 
-/// A run of "main.mpf" with the folder "lib".
+/// A run of "main.mpf" with the folder "lib", and with "shipped" as what comes with the control.
 class ProgramRun {
  public:
   explicit ProgramRun(std::map<std::string, std::string> files)
       : files_(std::move(files)), sources_(files_), library_(sources_) {
     library_.add_file("main.mpf");
     library_.add_folder("lib");
+    library_.add_shipped_folder("shipped");
     session_ = std::make_unique<sinumerik::Session>(library_, machine_, observer_);
     session_->configure({});
     outcome_ = session_->run({});
@@ -159,6 +160,32 @@ TEST(SinumerikLibrary, WhatANameMeansDoesNotDependOnOtherSessions) {
   // Only this session has opened the archive.
   EXPECT_EQ(r1_of_session(library, "R2", 1.0), 2.0);
   EXPECT_EQ(r1_of_session(library, "R2", 0.0), 1.0);
+}
+
+TEST(SinumerikLibrary, ReadsMacrosBeforeTheDataThatUseThem) {
+  ProgramRun run({{"main.mpf", "R1=KK\nM30\n"},
+                  {"lib/mgud.def", "DEF NCK REAL KK=NV\nM17\n"},
+                  {"lib/mmac.def", "DEFINE NV AS 999\nM17\n"}});
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 999.0);
+}
+
+TEST(SinumerikLibrary, MacrosOfAUserDoNotReachIntoWhatComesWithTheControl) {
+  ProgramRun run(
+      {{"main.mpf", "CYC\nR2=_OFF+ONE\nR3=TWO\nM30\n"},
+       {"lib/pmac.def", "DEFINE _OFF AS 40\nDEFINE ONE AS 50\nM17\n"},
+       {"shipped/pgud.def", "DEFINE ONE AS 1\nDEFINE TWO AS 2\nDEF NCK REAL _OFF=3\nM17\n"},
+       {"shipped/cyc.spf", "PROC CYC\nR1=_OFF+ONE\nM17\n"}});
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 4.0);
+  EXPECT_EQ(run.number("R2"), 90.0);
+  EXPECT_EQ(run.number("R3"), 2.0);
+}
+
+TEST(SinumerikLibrary, AMacroTwiceInWhatComesWithTheControlIsAnAlarm) {
+  ProgramRun run(
+      {{"main.mpf", "M30\n"}, {"shipped/pgud.def", "DEFINE ONE AS 1\nDEFINE ONE AS 2\nM17\n"}});
+  EXPECT_EQ(run.alarm(), 12270);
 }
 
 TEST(SinumerikLibrary, FindsProgramsInFilesAndArchives) {

@@ -47,6 +47,8 @@ TEST(TravelLimits, Cases) {
     EXPECT_EQ(limits.contain(q_M), c.violation == nullptr);
     if (c.violation != nullptr) {
       EXPECT_EQ(limits.violation(q_M), c.violation);
+      EXPECT_EQ(limits.is_without_axis(q_M),
+                std::string(c.violation).find("has no axis") != std::string::npos);
     }
   }
 }

@@ -224,12 +224,34 @@ TEST(ArcCycle, Alarms) {
                            {"CYCLE979(1,,,1,40,2,5,0,0,0,121)", 61331},
                            {"CYCLE979(1001,,,1,40,2,5,0,0,0,91)", 61331},
                            {"CYCLE979(1,,,1,40,2,5,0,0,0,0)", 61331},
+                           {"CYCLE979(1,,,1,-40,2,5,0,0,0,120)", 61316},
+                           {"CYCLE979(1,,,1,,2,5,0,0,0,120)", 61316},
                            {"CYCLE979(101,1,,1,40,2,0.1,0,0,0,120)", 61303},
                            {"CYCLE979(1,,,1,30,2,5,0,0,0,120)", 61301}};
   for (const Refusal& row : kRows) {
     SCOPED_TRACE(row.call);
     EXPECT_EQ(run_measuring(std::string("Z-5\n") + row.call, {ring, kCalibrated}, {}).alarm(),
               row.alarm);
+  }
+}
+
+// A sign slip or a forgotten set point: the touches would be taken for those of the other side.
+TEST(SizesOfCycles, AreAboveZeroOrNothingIsTouchedAndNothingStored) {
+  const std::string ring = part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
+  const char* const kCalls[] = {
+      "CYCLE977(1,,,1,-40,,,10,5)",        "CYCLE977(1,,,1,0,,,10,5)",
+      "CYCLE977(3,,,1,-40,,,10,5,0,,,,1)", "CYCLE977(5,,,1,,-40,40,10,5)",
+      "CYCLE977(5,,,1,,40,0,10,5)",        "CYCLE977(201,,4000001,1,,,,10,,,,,,,1,\"MILL\")",
+      "CYCLE976(1,1,-40,,,,5,5)",          "CYCLE976(2,1,,,,,5,5)"};
+  for (const char* const call : kCalls) {
+    SCOPED_TRACE(call);
+    const MeasuringRun run = run_measuring(std::string("Z-5\n") + call, {ring, kCalibrated},
+                                           {"_OVR[4]", "$TC_DP6[2,1]", "$SNS_MEA_WP_BALL_DIAM[0]"});
+    EXPECT_EQ(run.alarm(), 61316) << run.output.errors;
+    EXPECT_TRUE(run.output.document.at("touches").empty());
+    EXPECT_EQ(run.at("_OVR[4]"), 0.0);
+    EXPECT_EQ(run.at("$TC_DP6[2,1]"), 5.0);
+    EXPECT_EQ(run.at("$SNS_MEA_WP_BALL_DIAM[0]"), 6.0);
   }
 }
 

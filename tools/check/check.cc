@@ -75,7 +75,7 @@ void add_callable(analysis::ProgramSet& programs, const Group& group,
     programs.add_folder(folder);
   }
   if (const std::string shipped = shipped_for(group.control); !shipped.empty()) {
-    programs.add_folder(shipped);
+    programs.add_shipped_folder(shipped);
   }
 }
 

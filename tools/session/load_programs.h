@@ -62,7 +62,7 @@ std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths
     }
   }
   if (disk::shipped_folder(shipped)) {
-    library.add_folder(disk::shipped_name(shipped));
+    library.add_shipped_folder(disk::shipped_name(shipped));
   }
   return std::nullopt;
 }

@@ -40,6 +40,8 @@ class ProgramLibrary {
   /// Programs of this folder become callable.  A file is taken for O1234 when the digits of its
   /// name say so (O1234.nc, 1234, o01234.txt); failing that, when its text begins with O1234.
   void add_folder(const std::string& folder);
+  /// The same of what comes with g31.
+  void add_shipped_folder(const std::string& folder) { add_folder(folder); }
 
   /// The text of the first file; nullptr when there is none.
   const source::SourceFile* main_text();

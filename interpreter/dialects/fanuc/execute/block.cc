@@ -219,7 +219,7 @@ Failure from_fault(const machine::MachineFault& fault) {
   Failure failure;
   failure.status = runtime::Status::Collision;
   failure.id = AlarmId::SoftLimit;
-  failure.alarm_number = fault.kind == machine::FaultKind::SoftLimit ? 0 : -1;
+  failure.alarm_number = fault.kind == machine::FaultKind::Collision ? -1 : 0;
   failure.detail = fault.what;
   failure.block = path::Outlet::place_of(fault);
   return failure;

@@ -14,6 +14,7 @@ struct ProgramSource {
   const source::SourceFile* file = nullptr;
   ShortSpan text;           ///< without its header
   std::string folder = {};  ///< of $PATH; empty: not said
+  bool is_shipped = false;  ///< comes with the control: macros of others do not reach into it
 };
 
 /// Compiles a program.  Nothing in it can make this fail: a block that is wrong becomes a step that

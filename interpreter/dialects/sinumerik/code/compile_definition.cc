@@ -234,14 +234,23 @@ void Definitions::define_statement() {
   }
   Macro macro;
   while (cursor_.peek().kind != TokenKind::End) {
-    Token token = cursor_.next();
-    token.text = macro.spellings.emplace_back(token.text);
-    macro.tokens.push_back(token);
+    macro.add(cursor_.next());
   }
-  Macros& macros = purpose_ == Purpose::Definitions ? defined_->macros : macros_;
-  if (!macros.define(name, std::move(macro))) {
+  if (!define_macro(name, std::move(macro))) {
     fail(AlarmId::MacroTwice, block(), name);
   }
+}
+
+/// @returns whether the name was free
+bool Definitions::define_macro(const std::string& name, Macro macro) {
+  if (purpose_ != Purpose::Definitions) {
+    return macros_.define(name, std::move(macro));
+  }
+  if (!is_shipped_) {
+    return defined_->macros.define(name, std::move(macro));
+  }
+  defined_->macros.define(name, macro);  // of two that of the user counts outside
+  return defined_->shipped_macros.define(name, std::move(macro));
 }
 
 void Definitions::proc_statement() {

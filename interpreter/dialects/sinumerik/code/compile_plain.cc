@@ -45,8 +45,7 @@ bool Compiler::plain_block(ShortSpan line) {
 
 /// @returns whether it can stand in a plain block
 bool Compiler::plain_word(const PlainWord& word) {
-  if (definitions_.macros().have_initial(word.letter) ||
-      globals_.macros.have_initial(word.letter)) {
+  if (definitions_.macros().have_initial(word.letter) || global_macros_.have_initial(word.letter)) {
     return false;
   }
   switch (word.letter) {

@@ -24,6 +24,8 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
     : CompilerMemory(source),
       BlockPart({reader, *program, code}),
       globals_(globals),
+      is_shipped_(source.is_shipped),
+      global_macros_(is_shipped_ ? globals.shipped_macros : globals.macros),
       purpose_(purpose),
       text_(source.file->text()),
       scanner_(text_),

@@ -31,7 +31,7 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
   /// The local variables of another program are there from the start.
   void know_locals_of(const CompiledProgram& home);
   /// Where DEF and DEFINE of a definition file go.
-  void define_in(Globals& globals) { definitions_.define_in(globals); }
+  void define_in(Globals& globals) { definitions_.define_in(globals, is_shipped_); }
 
   std::unique_ptr<CompiledProgram> run();
   /// Blocks from `begin` on that say nothing of others.
@@ -69,6 +69,8 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
   [[nodiscard]] BlockWork work() { return {reader_, program_, code_}; }
 
   const Globals& globals_;
+  bool is_shipped_;
+  const Macros& global_macros_;
   Purpose purpose_;
   std::string_view text_;
   Scanner scanner_;

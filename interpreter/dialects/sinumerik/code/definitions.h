@@ -25,7 +25,10 @@ class Definitions : private BlockPart {
         expressions_(assignments.expressions()) {}
 
   /// Where DEF and DEFINE of a definition file go.
-  void define_in(Globals& globals) { defined_ = &globals; }
+  void define_in(Globals& globals, bool is_shipped) {
+    defined_ = &globals;
+    is_shipped_ = is_shipped;
+  }
   /// DEFINE of the program.
   [[nodiscard]] const Macros& macros() const { return macros_; }
 
@@ -68,6 +71,7 @@ class Definitions : private BlockPart {
   std::optional<std::int32_t> whole_constant();
   Shape dimensions();
   void preset(Parameter& parameter);
+  bool define_macro(const std::string& name, Macro macro);
   std::int32_t defined_alike(const Variable& variable);
   std::int32_t define(const Variable& variable);
   std::optional<double> signed_constant();
@@ -75,6 +79,7 @@ class Definitions : private BlockPart {
 
   const Globals& globals_;
   Globals* defined_ = nullptr;
+  bool is_shipped_ = false;  ///< the definition file
   Purpose purpose_;
   KnownVariables& variables_;
   Assignments& assignments_;

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/code/library.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace g31::sinumerik {
@@ -8,6 +9,12 @@ namespace {
 
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() ? name : folder + "/" + name;
+}
+
+/// SMAC, MMAC, UMAC: read before SGUD, MGUD, UGUD and GUD4 to GUD9, which may use their macros
+/// (Programming Manual Job Planning, user-defined data).
+bool is_of_macros(const FiledProgram* program) {
+  return program->name().stem.ends_with("MAC");
 }
 
 }  // namespace
@@ -35,8 +42,9 @@ ProgramFile* ProgramLibrary::file(const std::string& path) {
   const auto [place, is_new] = read_.try_emplace(path);
   if (is_new) {
     if (auto text = sources_.files().read(path)) {
+      const bool is_shipped = !shipped_folder_.empty() && path.starts_with(shipped_folder_ + "/");
       place->second = std::make_unique<ProgramFile>(
-          sources_.whole(path, ProgramFile::without_mark(*std::move(text))));
+          sources_.whole(path, ProgramFile::without_mark(*std::move(text))), is_shipped);
     }
   }
   return place->second.get();
@@ -75,6 +83,11 @@ void ProgramLibrary::add_folder(const std::string& folder) {
   folders_.push_back(std::move(known));
 }
 
+void ProgramLibrary::add_shipped_folder(const std::string& folder) {
+  shipped_folder_ = folder;
+  add_folder(folder);
+}
+
 /// As with programs, the first one of a name counts: a copy of shipped definitions replaces them.
 bool ProgramLibrary::is_new_definition(const ProgramName& name) const {
   return is_definition(name) && best_of(opened(name.stem), name, {}) == nullptr;
@@ -91,10 +104,13 @@ void ProgramLibrary::open(ProgramFile& file, bool only_definitions) {
 
 const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
   std::call_once(defined_, [&] {
-    for (FiledProgram* const program : programs_) {
-      if (is_definition(program->name())) {
-        definitions_.push_back(&program->define_in(globals_));
-      }
+    ProgramList files;
+    std::ranges::copy_if(programs_, std::back_inserter(files), [](const FiledProgram* program) {
+      return is_definition(program->name());
+    });
+    std::ranges::stable_partition(files, is_of_macros);
+    for (FiledProgram* const file : files) {
+      definitions_.push_back(&file->define_in(globals_));
     }
     define_missing(data_, globals_);
     shorten_memory(data_, globals_);

@@ -37,6 +37,8 @@ class ProgramLibrary {
   Added add_file(const std::string& path);
   /// @returns nothing: a folder that cannot be read has no programs
   void add_folder(const std::string& folder);
+  /// The same of what comes with the control, behind all others.
+  void add_shipped_folder(const std::string& folder);
 
   /// Reads the definition files, when it is asked for the first time, which ends the adding of
   /// files.  @returns programs that set initial values, to be run first in every session
@@ -83,6 +85,7 @@ class ProgramLibrary {
   const source::SourceFile* main_text_ = nullptr;
   std::set<std::string> opened_;  ///< paths
   std::vector<std::multimap<std::string, std::string>> folders_;
+  std::string shipped_folder_;
   std::vector<std::string> archives_;
   SheetData data_;
   std::once_flag defined_;

@@ -84,7 +84,7 @@ std::string ProgramFile::without_mark(std::string text) {
   return text;
 }
 
-ProgramFile::ProgramFile(const source::SourceFile& text) : text_(text) {
+ProgramFile::ProgramFile(const source::SourceFile& text, bool is_shipped) : text_(text) {
   const ProgramName of_file = name_of_text(text.name(), ".");
   for (const Piece& piece : pieces_of(text.text())) {
     const std::string_view body = text.text().substr(piece.begin, piece.end - piece.begin);
@@ -98,7 +98,8 @@ ProgramFile::ProgramFile(const source::SourceFile& text) : text_(text) {
         name.stem,
         &text_,
         {static_cast<std::uint32_t>(piece.begin), static_cast<std::uint32_t>(piece.end)},
-        name.folder};
+        name.folder,
+        is_shipped};
     programs_.push_back(std::make_unique<FiledProgram>(std::move(name), std::move(source)));
   }
 }

@@ -37,8 +37,9 @@ class FiledProgram {
 /// A file of programs: one, or many behind headers %_N_NAME_SPF.
 class ProgramFile {
  public:
-  /// @param text  without its byte order mark; outlives the file
-  explicit ProgramFile(const source::SourceFile& text);
+  /// @param text        without its byte order mark; outlives the file
+  /// @param is_shipped  comes with the control
+  explicit ProgramFile(const source::SourceFile& text, bool is_shipped = false);
 
   /// A byte order mark becomes blanks: places stay as they are.
   static std::string without_mark(std::string text);

@@ -36,7 +36,7 @@ void expand_macros(std::vector<Token>& tokens, const Macros& own, const Macros& 
       continue;
     }
     const syntax::ShortSpan where = tokens[i].where;
-    for (Token token : macro->tokens) {
+    for (Token token : macro->tokens()) {
       token.where = where;
       all.push_back(token);
     }

@@ -146,9 +146,10 @@ Eigen::Vector3d end_of(const Channel& channel, const AxisPositions& q_P_from,
 }  // namespace
 
 Failure from_fault(const machine::MachineFault& fault) {
-  Failure reason = failure(AlarmId::SoftLimit, fault.what);
-  reason.status = runtime::Status::Collision;
-  reason.number = fault.kind == machine::FaultKind::SoftLimit ? 0 : -1;
+  const bool lacks_axis = fault.kind == machine::FaultKind::NoAxis;
+  Failure reason = failure(lacks_axis ? AlarmId::NoSuchAddress : AlarmId::SoftLimit, fault.what);
+  reason.status = lacks_axis ? reason.status : runtime::Status::Collision;
+  reason.number = fault.kind == machine::FaultKind::Collision ? -1 : 0;
   if (const source::Location where = path::Outlet::place_of(fault); where.is_known()) {
     reason.where = where;
   }
