@@ -33,7 +33,8 @@ endif()
 # them the code of each such library is made when the first of them is built.  What runs once a run (G31_RUNS_ONCE in a
 # folder's CMakeLists.txt: reading sheets, writing documents) is compiled quickly instead.
 set(g31_links_across_files FALSE)
-if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
+   CMAKE_CXX_COMPILER_AR AND CMAKE_CXX_COMPILER_RANLIB)
   set(g31_links_across_files TRUE)
   set(CMAKE_AR ${CMAKE_CXX_COMPILER_AR})  # these read such code
   set(CMAKE_RANLIB ${CMAKE_CXX_COMPILER_RANLIB})
