@@ -25,6 +25,7 @@ std::string missing_codes(const Profile& profile) {
 
 Entry entry_of(const Profile& profile) {
   const OutputRule& output = profile.output;
+  const FeedCounts& feeds = profile.feed_counts;
   return {
       "control",
       std::string(profile.name),
@@ -53,6 +54,8 @@ Entry entry_of(const Profile& profile) {
        {"AND, OR between comparisons", profile.joins_conditions ? "yes" : "with parameter 6006.0"},
        {"IF [#1], IF [...] M98 P1", profile.conditions_rule_blocks ? "yes" : "no"},
        {"M97 P, M96 P Q", profile.has_local_calls ? "yes" : "no"},
+       {"F without a point",
+        fmt::format("counts {} mm/min, or {} inch/min", 1.0 / feeds.per_mm, 1.0 / feeds.per_inch)},
        {"F in G31",
         profile.skip_feed == SkipFeed::Modal ? "stays in force" : "counts for its block only"},
        {"DPRNT",
