@@ -171,11 +171,8 @@ WrongWord JudgedBlock::argument_letters() const {
   const auto& all = words_.words().all();
   const auto code = std::ranges::find_if(all, is_macro_call);
   for (auto word = all.begin(); word != all.end(); ++word) {
-    const bool takes_effect = profile_.codes_before_call && word->letter == 'G' && word < code;
-    if (word != code && word->letter != 'P' && word->letter != 'L' && !takes_effect) {
-      if (fanuc::argument_variable(word->letter) == 0) {
-        return KnownWords::at(fanuc::no_argument(word->letter), *word);
-      }
+    if (fanuc::is_argument(*word, *code, profile_) && fanuc::argument_variable(word->letter) == 0) {
+      return KnownWords::at(fanuc::no_argument(word->letter), *word);
     }
   }
   return std::nullopt;

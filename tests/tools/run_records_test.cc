@@ -92,11 +92,15 @@ TEST(RunRecord, TakesThePlaceOfNothingThatASheetOrAProgramNames) {
   const std::string sheet =
       folder.write("s.toml",
                    "[control]\nvariables_file = \"kept.vars\"\n[machine]\nfile = \"m.toml\"\n"
-                   "[expect]\noutput_file = \"golden.txt\"\n");
+                   "[expect]\noutput_file = \"golden.txt\"\n[[part]]\nfile = \"part.stl\"\n");
   const std::map<std::string, std::string> kFiles = {{"O0002.nc", "O2\nM99\n"},
                                                      {"kept.vars", ""},
                                                      {"m.toml", "name = \"M\"\n"},
-                                                     {"golden.txt", "GOLDEN\n"}};
+                                                     {"golden.txt", "GOLDEN\n"},
+                                                     {"part.stl",
+                                                      "solid t\nfacet normal 0 0 1\nouter loop\n"
+                                                      "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                                                      "endloop\nendfacet\nendsolid t\n"}};
   for (const auto& [name, text] : kFiles) {
     folder.write(name, text);
   }

@@ -22,7 +22,7 @@ std::string one_spelling(const std::string& path) {
 
 /// Whether two paths are the same file, there or not.
 bool are_same(const std::string& a, const std::string& b) {
-  if (a == b || a.empty() || a == "-") {
+  if (a == b || a.empty() || a == "-" || b == "-") {
     return a == b;
   }
   std::error_code error;
@@ -52,16 +52,9 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
     if (path.empty()) {
       continue;
     }
-    if (path == "-") {
-      const auto taken = std::ranges::find(outputs.begin(), output, path, &OutputPlace::path);
-      if (taken != output) {
-        return session::bad_input(
-            fmt::format("{} and {} cannot both be standard output", taken->option, output->option));
-      }
-      continue;
-    }
+    const bool is_stream = path == "-";
     const auto is_here = [&](const std::string& other) { return are_same(other, path); };
-    if (std::ranges::any_of(inputs, [&](const std::vector<std::string>& list) {
+    if (!is_stream && std::ranges::any_of(inputs, [&](const std::vector<std::string>& list) {
           return std::ranges::any_of(list, is_here);
         })) {
       return session::bad_input(fmt::format("{} {}: it would take the place of what is to be read",
@@ -70,8 +63,8 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
     const auto taken = std::find_if(outputs.begin(), output,
                                     [&](const OutputPlace& other) { return is_here(other.path); });
     if (taken != output) {
-      return session::bad_input(
-          fmt::format("{} and {} cannot both be {}", taken->option, output->option, path));
+      return session::bad_input(fmt::format("{} and {} cannot both be {}", taken->option,
+                                            output->option, is_stream ? "standard output" : path));
     }
   }
   return std::nullopt;

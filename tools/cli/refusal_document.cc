@@ -96,19 +96,18 @@ runtime::Outcome outcome_of(const session::Refusal& wrong) {
   return outcome;
 }
 
-bool may_be_replaced(const std::string& path) {
+std::optional<session::Refusal> why_not_replaced(std::string_view option, const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
   if (!fs::is_regular_file(path, error) || path.ends_with(".json") || path.ends_with(".jsonl") ||
       path.ends_with(".html") || fs::file_size(path, error) == 0) {
-    return true;
+    return std::nullopt;
   }
   constexpr std::size_t kHead = 64;
   disk::Disk disk;
-  return disk.read_part(path, 0, kHead).value_or("").find("\"g31.") != std::string::npos;
-}
-
-session::Refusal not_a_document(std::string_view option, const std::string& path) {
+  if (disk.read_part(path, 0, kHead).value_or("").find("\"g31.") != std::string::npos) {
+    return std::nullopt;
+  }
   return session::bad_input(
       fmt::format("{} {}: this file is no document of g31, so it stays as it is", option, path));
 }
@@ -119,8 +118,10 @@ ExitCode refuse(const session::Refusal& given, const std::string& json, std::str
   if (json.empty() || wrong.ending == session::Ending::Interrupted) {
     return code;  // who interrupts the work wants no file of it
   }
-  const auto unwritten = may_be_replaced(json) ? write_out(json, document_of(wrong, schema))
-                                               : std::optional(not_a_document("--json", json));
+  auto unwritten = why_not_replaced("--json", json);
+  if (!unwritten) {
+    unwritten = write_out(json, document_of(wrong, schema));
+  }
   return unwritten ? refuse(*unwritten) : code;
 }
 

@@ -23,12 +23,10 @@ runtime::Outcome outcome_of(const session::Refusal& wrong);
 std::string document_of(const runtime::Outcome& outcome, ExitCode code, std::string_view schema,
                         const source::SourceMap& sources);
 
-/// Whether a document may take the place of what is there: nothing, an earlier document, or what is
-/// called one.  The value of --json may be a word that was meant otherwise: `run --json part.nc`.
-bool may_be_replaced(const std::string& path);
-
-/// Why that document may not be where --json wants it.
-session::Refusal not_a_document(std::string_view option, const std::string& path);
+/// Why a document may not take the place of what is there; nullopt: that is nothing, an earlier
+/// document, or what is called one.  The value of --json may be a word that was meant otherwise:
+/// `run --json part.nc`.
+std::optional<session::Refusal> why_not_replaced(std::string_view option, const std::string& path);
 
 /// Says why on standard error and, where --json wants a document, in one of `schema`, `status`,
 /// `exit_code` and `diagnostics`.  Work that was interrupted leaves none.

@@ -59,8 +59,8 @@ std::optional<session::Refusal> write_refusal(const RunOptions& options, const s
 /// else's place.
 std::optional<session::Refusal> write_refusal_events(const RunOptions& options,
                                                      const session::Refusal& wrong) {
-  if (!may_be_replaced(options.jsonl)) {
-    return not_a_document("--jsonl", options.jsonl);
+  if (auto kept = why_not_replaced("--jsonl", options.jsonl)) {
+    return kept;
   }
   const report::RunResult result = result_of(options, wrong);
   disk::Disk disk;
@@ -92,10 +92,8 @@ std::optional<session::Refusal> show_refusal(const RunOptions& options,
 std::optional<session::Refusal> write_refusal_with_care(const RunOptions& options,
                                                         const std::string& json,
                                                         const session::Refusal& wrong) {
-  if (!may_be_replaced(json)) {
-    return not_a_document("--json", json);
-  }
-  return write_refusal(options, json, wrong);
+  auto kept = why_not_replaced("--json", json);
+  return kept ? kept : write_refusal(options, json, wrong);
 }
 
 /// The line that every run ends with.

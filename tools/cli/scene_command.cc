@@ -108,8 +108,8 @@ std::optional<session::Refusal> tell(const SceneOptions& options, const runtime:
   if (json.empty()) {
     return std::nullopt;
   }
-  return may_be_replaced(json) ? write_out(json, document_of(outcome, code, kSchema, sources))
-                               : std::optional(not_a_document("--json", json));
+  auto unwritten = why_not_replaced("--json", json);
+  return unwritten ? unwritten : write_out(json, document_of(outcome, code, kSchema, sources));
 }
 
 Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {

@@ -61,6 +61,14 @@ function(g31_link_file_by_file name)
   endif()
 endfunction()
 
+# A library without files of its own; behind its name what it stands for.
+function(g31_interface name)
+  add_library(${name} INTERFACE)
+  target_link_libraries(${name} INTERFACE ${ARGN})
+  target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
+  target_compile_features(${name} INTERFACE cxx_std_20)
+endfunction()
+
 # A library that a program takes as code for the linker to go on with (CODE), or, linked file by file, as what is made
 # of that here.
 function(g31_library_of_two_codes name)
@@ -82,11 +90,7 @@ function(g31_library_of_two_codes name)
   set_target_properties(${name}_by_file PROPERTIES IMPORTED_LOCATION ${archive})
   target_link_libraries(${name}_by_file INTERFACE ${arg_DEPENDS})
   add_dependencies(${name}_by_file ${name}_make_by_file)
-  add_library(${name} INTERFACE)
-  target_link_libraries(${name} INTERFACE
-    $<IF:$<BOOL:$<TARGET_PROPERTY:G31_FILE_BY_FILE>>,${name}_by_file,${arg_CODE}>)
-  target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
-  target_compile_features(${name} INTERFACE cxx_std_20)
+  g31_interface(${name} $<IF:$<BOOL:$<TARGET_PROPERTY:G31_FILE_BY_FILE>>,${name}_by_file,${arg_CODE}>)
 endfunction()
 
 # What nearly every file includes is compiled once, and once more for the tests.  A file includes what it
@@ -107,10 +111,7 @@ option(G31_BATCHES "Compile libraries several files at a time" ON)
 function(g31_library name)
   cmake_parse_arguments(arg "ACROSS_FILES" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(NOT arg_SOURCES)
-    add_library(${name} INTERFACE)
-    target_link_libraries(${name} INTERFACE ${arg_DEPENDS})
-    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
-    target_compile_features(${name} INTERFACE cxx_std_20)
+    g31_interface(${name} ${arg_DEPENDS})
     return()
   endif()
   set(code ${name})

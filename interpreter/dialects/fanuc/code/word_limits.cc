@@ -32,6 +32,13 @@ WrongValue wrong_plain_word(const EvaluatedWord& word) {
              : point_in(word);
 }
 
+bool is_argument(const EvaluatedWord& word, const EvaluatedWord& code, const Profile& profile) {
+  const bool is_before = word.span.begin < code.span.begin;
+  const bool takes_effect = profile.codes_before_call && code.number == 65.0 && is_before;
+  return &word != &code && word.letter != 'P' && word.letter != 'L' &&
+         !(takes_effect && word.letter == 'G');
+}
+
 WrongValue no_argument(char letter) {
   return {AlarmId::IllegalArgumentLetter,
           fmt::format("{} as argument", syntax::letter_text(letter))};

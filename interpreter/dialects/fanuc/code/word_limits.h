@@ -36,6 +36,9 @@ inline bool fits_plain_word(const EvaluatedWord& word) {
 /// Of one that does not.
 [[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word);
 
+/// Whether a word of a block with G65, G66 or G66.1 is an argument: not the code itself, P and L,
+/// nor, where the control has it so, a G word before G65, which takes effect first.
+bool is_argument(const EvaluatedWord& word, const EvaluatedWord& code, const Profile& profile);
 /// Of a letter that is none in G65 and the like (argument_letters.h).
 WrongValue no_argument(char letter);
 

@@ -157,8 +157,7 @@ MaybeFailure refused_arc(const Control& control, const NcBlock& block, const Pla
     return at_word(AlarmId::IllegalPlaneAxis, *word,
                    fmt::format("{} is not of this plane", plane.across_centre));
   }
-  const auto& rotation = control.transforms.rotation;
-  if (rotation && rotation->plane.across != plane.across) {
+  if (control.transforms.turns_other_than(plane)) {
     return block_failure(AlarmId::PlaneInRotation);
   }
   return std::nullopt;

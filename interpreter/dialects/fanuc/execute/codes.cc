@@ -233,12 +233,9 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
 
 }  // namespace
 
-/// Without a point a feed per revolution counts hundredths of a mm, or thousandths with parameter
+/// A feed per revolution counts hundredths of a mm, or thousandths with parameter
 /// 1405.1 (inch: a tenth of that), one per minute what the control has for it, or parameter 1403.0.
-double written_feed(const Control& control, const EvaluatedWord& word) {
-  if (word.form != syntax::ValueForm::Integer || control.scale.calculator_point) {
-    return word.number;
-  }
+double counted_feed(const Control& control, const EvaluatedWord& word) {
   const bool inch = control.scale.unit == LengthUnit::Inch;
   if (control.modal.group[Group::FeedMode].whole != 95) {
     constexpr FeedCounts kFine = {1000.0, 100'000.0};

@@ -18,8 +18,13 @@ struct Codes {
   const GCode* contour_switch = nullptr;  ///< by Q, G08 by P
 };
 
+/// F without a point, as the control counts it.
+double counted_feed(const Control& control, const EvaluatedWord& word);
 /// F as a number in the unit in force, per minute or per revolution.
-double written_feed(const Control& control, const EvaluatedWord& word);
+inline double written_feed(const Control& control, const EvaluatedWord& word) {
+  const bool counts = word.form == syntax::ValueForm::Integer && !control.scale.calculator_point;
+  return counts ? counted_feed(control, word) : word.number;
+}
 
 /// Whether the block moves axes, or would if they were not there already: axis words that no code
 /// takes for something else (MB-203).

@@ -238,9 +238,7 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
                         : CompensationCommand::Written::Before;
   command.where = block.where;
   cutter.command = command;
-  const auto& rotation = control.transforms.rotation;
-  if (command.state == State::On && rotation &&
-      rotation->plane.across != control.modal.plane().across) {
+  if (command.state == State::On && control.transforms.turns_other_than(control.modal.plane())) {
     return block_failure(AlarmId::PlaneInRotation);
   }
   if (command.state == State::On && !cutter.compensation.engaged()) {

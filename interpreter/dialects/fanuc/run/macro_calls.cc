@@ -18,33 +18,20 @@ constexpr std::size_t kEveryBlockG = 10;
 constexpr std::size_t kEveryBlockL = 12;
 constexpr std::size_t kEveryBlockN = 14;
 
-/// Whether a word is part of the call itself: the code, P and L.
-bool is_call_word(const EvaluatedWord& word, const EvaluatedWord& code) {
-  return &word == &code || word.letter == 'P' || word.letter == 'L';
-}
-
-/// Whether a G word before the call is no argument but takes effect first.
-bool is_code_before(const EvaluatedWord& word, const EvaluatedWord& code, const Profile& profile) {
-  return profile.codes_before_call && word.letter == 'G' && &word < &code;
-}
-
 }  // namespace
 
 MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
   std::vector<EvaluatedWord>& arguments = arguments_of_call_;
   arguments.clear();
-  bool has_code_before = false;
   for (const EvaluatedWord& word : words_.all()) {
-    if (is_code_before(word, code, control_.profile)) {
-      has_code_before = true;
-    } else if (!is_call_word(word, code)) {
+    if (is_argument(word, code, control_.profile)) {
       arguments.push_back(word);
       if (argument_variable(word.letter) == 0) {
         return at_word(no_argument(word.letter), word);
       }
     }
   }
-  if (auto failure = has_code_before ? codes_before(code) : std::nullopt) {
+  if (auto failure = control_.profile.codes_before_call ? codes_before(code) : std::nullopt) {
     return failure;
   }
   tell_argument_before(arguments, code);
@@ -67,11 +54,12 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
 MaybeFailure MacroCalls::codes_before(const EvaluatedWord& code) {
   BlockWords codes;
   for (const EvaluatedWord& word : words_.all()) {
-    if (is_code_before(word, code, control_.profile)) {
+    if (word.letter == 'G' && word.span.begin < code.span.begin) {
       codes.add(word);
     }
   }
-  return execute_words(control_, codes, levels_.stack().here());
+  return codes.all().empty() ? std::nullopt
+                             : execute_words(control_, codes, levels_.stack().here());
 }
 
 /// X5. G65 P..: no axis moves (MB-190).
@@ -122,7 +110,7 @@ MaybeFailure MacroCalls::set_modal(const EvaluatedWord& code) {
   call->every_block = code.number != 66.0;
   std::vector<EvaluatedWord> arguments;
   for (const EvaluatedWord& word : words_.all()) {
-    if (!is_call_word(word, code)) {
+    if (is_argument(word, code, control_.profile)) {
       arguments.push_back(word);
     }
   }

@@ -84,6 +84,11 @@ struct TransformStages {
   std::optional<Scaling> scaling;
   std::optional<Rotation> rotation;
 
+  /// Whether another plane than this one is turned.
+  [[nodiscard]] bool turns_other_than(const Plane& plane) const {
+    return rotation && rotation->plane.across != plane.across;
+  }
+
   /// Mirror and scaling: what the centre of a rotation goes through as well.
   [[nodiscard]] WorkTransform before_rotation() const;
   [[nodiscard]] WorkTransform all() const;

@@ -234,23 +234,16 @@ void Definitions::define_statement() {
   }
   Macro macro;
   while (cursor_.peek().kind != TokenKind::End) {
-    macro.add(cursor_.next());
+    Token token = cursor_.next();
+    token.text = macro.spellings.emplace_back(token.text);
+    macro.tokens.push_back(token);
   }
-  if (!define_macro(name, std::move(macro))) {
+  Macros& macros = purpose_ != Purpose::Definitions ? macros_
+                   : is_shipped_                    ? defined_->shipped_macros
+                                                    : defined_->macros;
+  if (!macros.define(name, std::move(macro))) {
     fail(AlarmId::MacroTwice, block(), name);
   }
-}
-
-/// @returns whether the name was free
-bool Definitions::define_macro(const std::string& name, Macro macro) {
-  if (purpose_ != Purpose::Definitions) {
-    return macros_.define(name, std::move(macro));
-  }
-  if (!is_shipped_) {
-    return defined_->macros.define(name, std::move(macro));
-  }
-  defined_->macros.define(name, macro);  // of two that of the user counts outside
-  return defined_->shipped_macros.define(name, std::move(macro));
 }
 
 void Definitions::proc_statement() {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "interpreter/dialects/sinumerik/code/compiler.h"
 
 namespace g31::sinumerik {
@@ -45,7 +47,8 @@ bool Compiler::plain_block(ShortSpan line) {
 
 /// @returns whether it can stand in a plain block
 bool Compiler::plain_word(const PlainWord& word) {
-  if (definitions_.macros().have_initial(word.letter) || global_macros_.have_initial(word.letter)) {
+  if (std::ranges::any_of(
+          seen_macros_, [&](const Macros* macros) { return macros->have_initial(word.letter); })) {
     return false;
   }
   switch (word.letter) {

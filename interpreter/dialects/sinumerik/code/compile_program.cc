@@ -25,7 +25,6 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
       BlockPart({reader, *program, code}),
       globals_(globals),
       is_shipped_(source.is_shipped),
-      global_macros_(is_shipped_ ? globals.shipped_macros : globals.macros),
       purpose_(purpose),
       text_(source.file->text()),
       scanner_(text_),
@@ -39,7 +38,12 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
       jumps_(work(), variables_, expressions_),
       structures_(work(), variables_, assignments_, jumps_),
       calls_(work(), expressions_, words_, jumps_),
-      actions_(work(), variables_, expressions_, nc_, *this) {
+      actions_(work(), variables_, expressions_, nc_, *this),
+      seen_macros_({&definitions_.macros()}) {
+  if (!is_shipped_) {
+    seen_macros_.push_back(&globals.macros);
+  }
+  seen_macros_.push_back(&globals.shipped_macros);
   program_.name = source.name;
   program_.folder = source.folder;
   program_.file = source.file;

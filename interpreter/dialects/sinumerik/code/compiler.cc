@@ -23,7 +23,7 @@ Compiler::Handler Compiler::find_handler(std::string_view name) {
 void Compiler::read_block(ShortSpan span) {
   std::vector<Token>& tokens = cursor_.tokens();
   scanner_.scan(span, tokens);
-  expand_macros(tokens, definitions_.macros(), global_macros_);
+  expand_macros(tokens, seen_macros_);
   if (tokens.size() == 1) {
     return;  // nothing, or macros that stand for nothing
   }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "interpreter/dialects/sinumerik/code/action_statements.h"
 #include "interpreter/dialects/sinumerik/code/call_statements.h"
@@ -70,7 +71,6 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
 
   const Globals& globals_;
   bool is_shipped_;
-  const Macros& global_macros_;
   Purpose purpose_;
   std::string_view text_;
   Scanner scanner_;
@@ -87,6 +87,7 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
   StructureStatements structures_;
   CallStatements calls_;
   ActionStatements actions_;
+  std::vector<const Macros*> seen_macros_;  ///< those that come first at the front
 
   OpCode end_ = OpCode::EndProgram;  ///< of the text
 };

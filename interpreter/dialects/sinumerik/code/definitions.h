@@ -71,7 +71,6 @@ class Definitions : private BlockPart {
   std::optional<std::int32_t> whole_constant();
   Shape dimensions();
   void preset(Parameter& parameter);
-  bool define_macro(const std::string& name, Macro macro);
   std::int32_t defined_alike(const Variable& variable);
   std::int32_t define(const Variable& variable);
   std::optional<double> signed_constant();

@@ -36,8 +36,8 @@ class Globals {
   [[nodiscard]] std::int32_t text_count() const { return text_count_; }
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
 
-  Macros macros;
-  Macros shipped_macros;  ///< those among them that come with the control
+  Macros macros;          ///< of the user's definition files; what is shipped does not see them
+  Macros shipped_macros;  ///< of those that come with the control
   /// An array is shorter than this control could have it: indices from `count` on are alarms.
   void shorten(std::string_view name, int count);
   /// What the set-up sheet calls axes beside their letters, upper case.

@@ -2,21 +2,33 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace g31::sinumerik {
 namespace {
 
-bool may_be_macro(const Token& token, const Macros& own, const Macros& global) {
+using SeenMacros = std::span<const Macros* const>;
+
+bool may_be_macro(const Token& token, SeenMacros seen) {
   return (token.kind == TokenKind::Name || token.kind == TokenKind::Letter) &&
-         (own.have_initial(token.text.front()) || global.have_initial(token.text.front()));
+         std::ranges::any_of(
+             seen, [&](const Macros* macros) { return macros->have_initial(token.text.front()); });
+}
+
+const Macro* find_macro(std::string_view name, SeenMacros seen) {
+  for (const Macros* const macros : seen) {
+    if (const Macro* const macro = macros->find(name)) {
+      return macro;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
 
-void expand_macros(std::vector<Token>& tokens, const Macros& own, const Macros& global) {
-  if (std::ranges::none_of(tokens,
-                           [&](const Token& token) { return may_be_macro(token, own, global); })) {
+void expand_macros(std::vector<Token>& tokens, SeenMacros seen) {
+  if (std::ranges::none_of(tokens, [&](const Token& token) { return may_be_macro(token, seen); })) {
     return;
   }
   std::vector<Token> all;
@@ -29,14 +41,13 @@ void expand_macros(std::vector<Token>& tokens, const Macros& own, const Macros& 
     }
     const bool is_name = tokens[i].kind == TokenKind::Name || used == 2;
     const bool is_being_defined = i > 0 && tokens[i - 1].is_name("DEFINE");
-    const Macro* const of_program = own.find(name);
-    const Macro* const macro = of_program != nullptr ? of_program : global.find(name);
+    const Macro* const macro = find_macro(name, seen);
     if (!is_name || is_being_defined || macro == nullptr) {
       all.push_back(tokens[i]);
       continue;
     }
     const syntax::ShortSpan where = tokens[i].where;
-    for (Token token : macro->tokens()) {
+    for (Token token : macro->tokens) {
       token.where = where;
       all.push_back(token);
     }

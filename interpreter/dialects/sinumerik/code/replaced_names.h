@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/text/macros.h"
@@ -11,9 +12,9 @@
 namespace g31::sinumerik {
 
 /// Replaces the names that DEFINE has made, once: what stands in their place is taken as it is.
-/// @param own, global  of the program, which come first, and of definition files
-/// @param tokens       of a block, the end included
-void expand_macros(std::vector<Token>& tokens, const Macros& own, const Macros& global);
+/// @param tokens  of a block, the end included
+/// @param seen    by the program, those that come first at the front
+void expand_macros(std::vector<Token>& tokens, std::span<const Macros* const> seen);
 
 /// A letter that DEF or PROC took as a name is one, unless a number follows it; a letter and a
 /// number are, where they are defined together.

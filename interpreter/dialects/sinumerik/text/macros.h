@@ -12,30 +12,9 @@
 namespace g31::sinumerik {
 
 /// DEFINE name AS text: the tokens stand in the place of the name.
-class Macro {
- public:
-  /// Behind the others; what it says is kept.
-  void add(Token token) {
-    token.text = spellings_.emplace_back(token.text);
-    tokens_.push_back(token);
-  }
-  [[nodiscard]] const std::vector<Token>& tokens() const { return tokens_; }
-
-  Macro() = default;
-  Macro(Macro&&) = default;
-  Macro& operator=(Macro&&) = default;
-  /// A copy by hand: tokens look at the spellings of their own macro.
-  Macro(const Macro& other) {
-    for (const Token& token : other.tokens_) {
-      add(token);
-    }
-  }
-  Macro& operator=(const Macro&) = delete;
-  ~Macro() = default;
-
- private:
-  std::vector<Token> tokens_;
-  std::deque<std::string> spellings_;  ///< what the tokens say
+struct Macro {
+  std::vector<Token> tokens;
+  std::deque<std::string> spellings;  ///< what the tokens say
 };
 
 /// Macros by name, upper case; a letter and a number (M6) is a name, too.
