@@ -127,9 +127,20 @@ TEST(Expectations, OfTheCommandLineTakeThePlaceOfTheSheets) {
   const RunOutput good = run_with(kProgram, sheet, {"#0100=20+-0.001"});
   EXPECT_EQ(good.exit_code, 0) << good.errors;
   EXPECT_EQ(good.document.at("expectations").size(), 4U) << "three, and the status";
-  const RunOutput last = run_with(kProgram, sheet, {"#100=20+-0.001", "#100=3"});
-  EXPECT_EQ(last.exit_code, 1);
-  EXPECT_EQ(last.document.at("expectations").size(), 4U);
+}
+
+// None of them may do away with another; a sheet refuses the pair, too (SET108).
+TEST(Expectations, OfTheCommandLineSayOneThingOfAVariable) {
+  for (const auto& [first, second] :
+       {std::pair("#100=3", "#100=20+-0.001"), std::pair("#100=3", "#0100=20+-0.001"),
+        std::pair("#101=3", "#100-#102=1"), std::pair("#100-#102=3", "#102-#103=1"),
+        std::pair("#100,#100=3", "#7=vacant")}) {
+    const RunOutput output = run_with(kProgram, kSignal, {first, second});
+    EXPECT_EQ(output.exit_code, 2) << first << " " << second;
+    EXPECT_NE(output.errors.find(std::string("by --expect ") + first + ", too: keep one of them"),
+              std::string::npos)
+        << output.errors;
+  }
 }
 
 TEST(Expectations, OfSinumerik) {

@@ -1,6 +1,7 @@
 #include "tools/cli/run_expectations.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -40,11 +41,34 @@ void lay_over(expect::Expectations& below, const expect::Expectation& row) {
   }
 }
 
+/// What --expect has said of a variable.
+struct Said {
+  std::string text;
+  bool is_alone;  ///< the variable is not one of several
+};
+using SaidOf = std::map<std::string, Said>;
+
+/// Why a variable may not be expected once more; "": it may.  One alone may differ from the others
+/// of a range that was given before it; all else would do away with what was asked for.
+std::string why_not_again(SaidOf& said_of, const std::string& variable, const Said& said) {
+  const auto [earlier, is_first] = said_of.try_emplace(variable, said);
+  if (is_first) {
+    return {};
+  }
+  if (!said.is_alone || earlier->second.is_alone) {
+    return fmt::format("{} is expected by --expect {}, too: keep one of them", variable,
+                       earlier->second.text);
+  }
+  earlier->second = said;
+  return {};
+}
+
 }  // namespace
 
 Result<expect::Expectations, Refusal> expectations_of(
     const setup::Job& job, const std::vector<std::string>& from_command_line) {
   expect::Expectations all = job.expectations;
+  SaidOf said_of;
   for (const std::string& text : from_command_line) {
     const auto refused = [&](const std::string& why) {
       return session::bad_input(fmt::format("--expect {}: {}", text, why));
@@ -61,6 +85,11 @@ Result<expect::Expectations, Refusal> expectations_of(
     }
     for (const std::string& name : names.value()) {
       variable.name = name;
+      const auto again =
+          why_not_again(said_of, variable_of(row), {text, names.value().size() == 1});
+      if (!again.empty()) {
+        return refused(again);
+      }
       lay_over(all, row);
     }
   }

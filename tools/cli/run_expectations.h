@@ -9,8 +9,9 @@
 
 namespace g31::cli {
 
-/// What the sheets expect, then what --expect does; of one variable the later counts, as of a key
-/// of sheets.
+/// What the sheets expect, then what --expect does, which counts of a variable that both name.
+/// @returns also that --expect says two things of one variable; one alone may be an exception to a
+/// range before it
 Result<expect::Expectations, session::Refusal> expectations_of(
     const setup::Job& job, const std::vector<std::string>& from_command_line);
 
