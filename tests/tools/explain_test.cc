@@ -68,7 +68,7 @@ TEST(ExplainCommand, TakesTheWordAlarmAndItsNumberAsOneTopic) {
 }
 
 TEST(ExplainCommand, WritesADocument) {
-  const Output output = explain({.topics = {"G31", "#500"}, .control = "meldas", .json = true});
+  const Output output = explain({.topics = {"G31", "#500"}, .control = "meldas", .json = "-"});
   const auto document = nlohmann::json::parse(output.text);
   EXPECT_EQ(document["schema"], "g31.explain/1");
   EXPECT_EQ(document["control"], "meldas");

@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import resource
+import shlex
 import signal
 import subprocess
 import sys
@@ -196,11 +197,12 @@ class Manners(unittest.TestCase):
                       (*plan, "--control"), (*plan, "--setup"), (*plan, "--as-machined"), ("new", "out", "--control"),
                       ("run", "a.nc", "--control"), ("check", "a.nc", "--control"), ("explain", "G31", "--control"),
                       (*circle, "--unit"), (*circle, "--magnify"), ("evaluate", "positioning", "a.csv", "--compensation"),
-                      ("study", "a.toml", "--shard")):
+                      ("study", "a.toml", "--shard"), ("new",)):
             run = self.g31(*words, "")
             self.assertEqual((run.returncode, run.stdout), (2, ""), f"{words}: {run.stderr}")
-            self.assertIn(f"{words[-1]}: the word is empty", run.stderr.replace("--output", "-o"), words)
-        self.assertFalse((self.folder / "out").exists())
+            self.assertIn(f"{words[-1]}: the word is empty",
+                          run.stderr.replace("--output", "-o").replace("DIR", "new"), words)
+        self.assertEqual({place.name for place in self.folder.iterdir()}, {"a.nc", "a.csv"})
 
     def test_what_is_no_number_is_in_no_range(self):
         for words in (("plan", str(PRODUCT), "--stock", "box", "-o", "out", "--tolerance"),
@@ -211,11 +213,30 @@ class Manners(unittest.TestCase):
                 self.assertIn(f"{words[-1]}: Value {number} not in range", run.stderr)
         self.assertFalse((self.folder / "out").exists())
 
-    def test_what_explain_cannot_write_is_told(self):
-        with open("/dev/full", "w") as full:
-            run = subprocess.run([G31, "explain", "ring"], stdout=full, stderr=subprocess.PIPE, text=True)
-        self.assertEqual(run.returncode, 2)
-        self.assertIn("cannot write", run.stderr)
+    def test_what_explain_and_help_cannot_write_is_told(self):
+        for words in (("explain", "ring"), ("--help",), ("run", "--help"), ("--version",)):
+            with open("/dev/full", "w") as full:
+                run = subprocess.run([G31, *words], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(run.returncode, 2, words)
+            self.assertIn("cannot write", run.stderr)
+
+    def test_explain_writes_its_document_where_json_says(self):
+        beside = self.g31("explain", "G31", "--json").stdout
+        for words in (("--json", "-"), ("--json=-",)):
+            self.assertEqual(self.g31("explain", "G31", *words).stdout, beside)
+        for words in (("G31", "--json", "out.json"), ("--json", "out.json", "G31"), ("G31", "--json=out.json")):
+            run = self.g31("explain", *words)
+            self.assertEqual((run.returncode, run.stderr), (0, ""), words)
+            self.assertTrue(run.stdout.startswith("G31 (G code)"), words)
+            self.assertEqual((self.folder / "out.json").read_text(), beside)
+            (self.folder / "out.json").unlink()
+        self.assertEqual(json.loads(self.g31("explain", "--json", "#500", "G31").stdout)["entries"][0]["name"], "#500")
+
+    def test_a_command_to_type_is_quoted_as_a_shell_needs_it(self):
+        run = self.g31("new", "my part/a b")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        again = run.stdout.splitlines()[-1].removeprefix("Now: g31 ")
+        self.assertEqual(shlex.split(again), ["run", "my part/a b/measure.nc", "--setup", "my part/a b/setup.toml"])
 
     def test_a_plan_that_is_ended_leaves_nothing_behind(self):
         for ending in (signal.SIGINT, signal.SIGTERM):

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <iostream>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +24,7 @@
 #include "tools/cli/interruption.h"
 #include "tools/cli/judge_command.h"
 #include "tools/cli/judge_options.h"
+#include "tools/cli/messages.h"
 #include "tools/cli/mistyped.h"
 #include "tools/cli/new_command.h"
 #include "tools/cli/new_options.h"
@@ -41,6 +44,7 @@
 #include "tools/cli/study_options.h"
 #include "tools/cli/view_command.h"
 #include "tools/cli/view_options.h"
+#include "tools/cli/write_out.h"
 
 namespace g31::cli {
 
@@ -178,8 +182,12 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     const std::string hint = mistyped_hint(app, words);
-    if (hint.empty() && app.exit(error) == 0) {
-      return ExitCode::Completed;
+    if (hint.empty()) {
+      std::ostringstream asked;
+      if (app.exit(error, asked, std::cerr) == 0) {
+        const auto unwritten = write_out("-", asked.str());
+        return unwritten ? refuse(*unwritten) : ExitCode::Completed;
+      }
     }
     std::fputs(hint.c_str(), stderr);
     tell_usage_error(options.run, json_of_run({argv, static_cast<std::size_t>(argc)}),

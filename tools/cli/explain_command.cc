@@ -171,18 +171,13 @@ bool add_topic(const std::string& topic, const ExplainOptions& options,
   return false;
 }
 
-/// To standard output.
-ExitCode printed(const std::string& text, ExitCode code) {
-  const auto wrong = write_out("-", text);
-  return wrong ? refuse(*wrong) : code;
-}
-
 /// A page of docs, as the tables make it.
 ExitCode print_page(const std::string& name) {
   std::vector<std::string_view> known;
   for (const manual::Page& page : manual::pages()) {
     if (page.name == name) {
-      return printed(page.make(), ExitCode::Completed);
+      const auto wrong = write_out("-", page.make());
+      return wrong ? refuse(*wrong) : ExitCode::Completed;
     }
     known.push_back(page.name);
   }
@@ -214,9 +209,10 @@ ExitCode explain_command(const ExplainOptions& options) {
       code = ExitCode::BadUsage;
     }
   }
-  return printed(
-      options.json ? document_of(answer, session::name_of(control.value())) : text_of(answer),
-      code);
+  const auto wrong = write_result(
+      options.json, [&] { return text_of(answer); },
+      [&] { return document_of(answer, session::name_of(control.value())); });
+  return wrong ? refuse(*wrong) : code;
 }
 
 }  // namespace g31::cli

@@ -11,7 +11,7 @@ namespace g31::cli {
 struct ExplainOptions {
   std::vector<std::string> topics = {};
   std::string control = {};  ///< "" for the default
-  bool json = false;
+  std::string json = {};     ///< file of the document, - for standard output; "": none
   bool all = false;
   std::string page = {};  ///< of docs: printed instead
   bool search = false;    ///< by words, even where something is named so

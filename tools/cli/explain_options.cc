@@ -1,10 +1,28 @@
 #include "tools/cli/explain_options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/control_and_level_options.h"
 
 namespace g31::cli {
+
+namespace {
+
+/// --json alone is followed by topics, so its file behind it is known by its ending, which no topic
+/// has.
+void take_file_of_json(ExplainOptions& options, bool wants_document) {
+  const auto file = std::ranges::find_if(options.topics, [](const std::string& word) {
+    return word == "-" || word.ends_with(".json");
+  });
+  if (wants_document && options.json == "-" && file != options.topics.end()) {
+    options.json = *file;
+    options.topics.erase(file);
+  }
+}
+
+}  // namespace
 
 CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   CLI::App* const explain = app.add_subcommand(
@@ -20,14 +38,19 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   explain->add_flag("--search", options.search,
                     "list what has the words in its text, also where something is named so");
   add_control_option(*explain, options.control, "control profile (default fanuc-16i)");
-  explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
+  auto* const json = explain->add_flag(
+      "--json{-}", options.json,
+      "document g31.explain/1, to FILE behind it where that ends in .json, or by --json=FILE; "
+      "else, and with -, to standard output");
   auto* const page =
       explain->add_option("--page", options.page,
                           "print a page of docs as the tables make it: set-up-sheet.md, "
                           "codes.md, reference/cycles.md, ...; of an unknown name all are listed");
   page->type_name("NAME");
-  explain->callback([topics, all, page] {
-    if (topics->empty() && all->empty() && page->empty()) {
+  explain->callback([&options, topics, all, page, json] {
+    take_file_of_json(options, json->count() > 0);
+    const bool has_topic = !options.topics.empty();
+    if (!has_topic && all->empty() && page->empty()) {
       throw CLI::RequiredError("TOPIC, --all or --page");
     }
   });

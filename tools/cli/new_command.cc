@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "tools/cli/messages.h"
+#include "tools/cli/shown_command.h"
 #include "tools/cli/starter_files.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
@@ -114,9 +115,10 @@ ExitCode new_command(const NewOptions& options) {
     text += (folder / file.path).string() + "\n";
   }
   beginning.keep();
-  text += fmt::format("Now: g31 run {} --setup {}\n", (folder / files.front().path).string(),
-                      (folder / "setup.toml").string());
-  const auto wrong = write_out("-", text);
+  ShownCommand command("g31 run");
+  command.add((folder / files.front().path).string());
+  command.add("--setup", (folder / "setup.toml").string());
+  const auto wrong = write_out("-", text + "Now: " + command.line() + "\n");
   return wrong ? refuse(*wrong) : ExitCode::Completed;
 }
 

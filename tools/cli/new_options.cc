@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/control_and_level_options.h"
+#include "tools/cli/limit_options.h"
 
 namespace g31::cli {
 
@@ -11,7 +12,8 @@ CLI::App* add_new_command(CLI::App& app, NewOptions& options) {
       "new", "Make a folder with a measuring program that runs, its set-up sheet and a CI file.");
   command->add_option("DIR", options.folder, "the folder; it is made where it is missing")
       ->required()
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(why_no_word);
   add_control_option(*command, options.control,
                      "what the program is written for (default fanuc-16i): haas, sinumerik-828d, "
                      "0i-MF and so on");

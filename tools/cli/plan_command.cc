@@ -138,6 +138,15 @@ Wrong hand_over(const PlanOptions& options, const plan::PlannedPart& planned,
   return write_out((folder / "plan.json").string(), document);
 }
 
+/// What to do with what was made, as a shell takes it.
+std::string next_command(const PlanOptions& options, const plan::PlannedPart& planned) {
+  const auto made = [&](const std::string& name) { return options.folder + "/" + name; };
+  ShownCommand command("g31 run");
+  command.add(made(planned.program_file));
+  command.add("-s", made(std::string(plan::kSheetFile)));
+  return "now: " + command.line() + "\n";
+}
+
 Wrong wrong_folder(const PlanOptions& options) {
   std::error_code unreadable;
   if (fs::exists(options.folder, unreadable) && !fs::is_directory(options.folder, unreadable)) {
@@ -154,7 +163,7 @@ Wrong wrong_folder(const PlanOptions& options) {
 }  // namespace
 
 ExitCode plan_command(const PlanOptions& options) {
-  for (const auto& wrong : {wrong_folder(options), why_no_page()}) {
+  for (const auto& wrong : {wrong_folder(options), why_no_page("plan.html")}) {
     if (wrong) {
       return refuse(*wrong);
     }
@@ -194,7 +203,8 @@ ExitCode plan_command(const PlanOptions& options) {
   if (const auto wrong = hand_over(options, planned.value(), document, html, *made.value())) {
     return refuse(*wrong);
   }
-  if (const auto wrong = write_out("-", plan::plan_summary(planned.value(), options.folder))) {
+  const std::string summary = plan::plan_summary(planned.value());
+  if (const auto wrong = write_out("-", summary + next_command(options, planned.value()))) {
     return refuse(*wrong);
   }
   const bool is_whole = !planned.value().leaves_something_out() && planned.value().is_proven() &&

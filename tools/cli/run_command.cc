@@ -68,7 +68,8 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
     return expectations.error();
   }
   checked.expectations = expectations.value();
-  if (const auto wrong = options.watch != nullptr ? why_no_page() : wrong_report(options.report)) {
+  if (const auto wrong =
+          options.watch != nullptr ? why_no_page("g31 view") : wrong_report(options.report)) {
     return *wrong;
   }
   if (!options.compare.empty()) {

@@ -126,17 +126,17 @@ Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,
                : session::bad_input(fmt::format("--compare {}: {}", path, other.error()));
 }
 
-std::optional<session::Refusal> why_no_page() {
+std::optional<session::Refusal> why_no_page(std::string_view wanted) {
   const auto assets = page::read_assets();
   return assets ? std::nullopt
-                : std::optional(session::bad_input(fmt::format("--report: {}", assets.error())));
+                : std::optional(session::bad_input(fmt::format("{}: {}", wanted, assets.error())));
 }
 
 std::optional<session::Refusal> wrong_report(const std::string& report) {
   if (report.empty()) {
     return std::nullopt;
   }
-  if (auto wrong = why_no_page()) {
+  if (auto wrong = why_no_page("--report")) {
     return wrong;
   }
   // Before the work, not behind it; what is no file is not disturbed before there is a page.
@@ -207,7 +207,7 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
 std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,
                                                      const report::RunResult& result,
                                                      const source::SourceMap& sources) {
-  if (options.watch != nullptr ? why_no_page() : wrong_report(options.report)) {
+  if (options.watch != nullptr ? why_no_page("g31 view") : wrong_report(options.report)) {
     return std::nullopt;  // it is why there is a refusal, or it comes with the next run
   }
   return send(options,

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/cli/run_result.h"
@@ -16,7 +17,8 @@ inline bool wants_page(const RunOptions& options) {
 }
 
 /// Why no page can be made, whatever the work will come to; nullopt: it can.
-std::optional<session::Refusal> why_no_page();
+/// @param wanted  what the user knows it by
+std::optional<session::Refusal> why_no_page(std::string_view wanted);
 /// The same for --report, and why its file cannot be written; nullopt where nobody wants it, too.
 std::optional<session::Refusal> wrong_report(const std::string& report);
 

@@ -63,7 +63,7 @@ void view_once(const ViewOptions& options, view::FileWatch& files, const Watch& 
 }  // namespace
 
 ExitCode view_command(const ViewOptions& options) {
-  if (const auto wrong = why_no_page()) {
+  if (const auto wrong = why_no_page("g31 view")) {
     return refuse(*wrong);
   }
   const auto server = view::PageServer::open(options.port);

@@ -87,7 +87,7 @@ std::string proof_text(const PlannedPart& planned) {
 
 }  // namespace
 
-std::string plan_summary(const PlannedPart& planned, const std::string& folder) {
+std::string plan_summary(const PlannedPart& planned) {
   std::string text = features_text(planned);
   if (planned.plan.measures.empty()) {
     text += planned.leaves_something_out() ? "nothing is measured\n"
@@ -99,8 +99,7 @@ std::string plan_summary(const PlannedPart& planned, const std::string& folder) 
   if (planned.as_machined) {
     text += "as machined:\n" + judgement_table(*planned.as_machined);
   }
-  return text +
-         fmt::format("now: g31 run {0}/{1} -s {0}/setup.toml\n", folder, planned.program_file);
+  return text;
 }
 
 }  // namespace g31::plan

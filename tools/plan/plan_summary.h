@@ -7,7 +7,6 @@
 namespace g31::plan {
 
 /// What was found, what is measured and what is not, and what the proof was, for a person.
-/// @param folder  that has the plan
-std::string plan_summary(const PlannedPart& planned, const std::string& folder);
+std::string plan_summary(const PlannedPart& planned);
 
 }  // namespace g31::plan
