@@ -35,8 +35,9 @@ struct SeenAcross {
 };
 
 /// A plane through the middle of points and the two that span it most; nullopt: they lie on a line.
+/// One row of touches along a face is a line: what it is out of straight spans no face.
 std::optional<Spread> spread_of(const Eigen::MatrixX3d& points) {
-  constexpr double kNarrowest = 1e-7;  // of their length
+  constexpr double kNarrowest = 1e-3;  // of their length
   const Point middle = points.colwise().mean();
   const auto farthest = [&](auto distance) {
     Eigen::Index found = 0;

@@ -35,6 +35,20 @@ double tip_offset_over_two(std::span<const double> a, std::span<const double> c,
   return (sum - motion[last]) / (0.5 * static_cast<double>(last));
 }
 
+double tip_offset_over_two_uncertainty(std::size_t n) {
+  G31_EXPECTS(n >= 2);
+  const double half = std::floor(0.5 * static_cast<double>(n));
+  if (n % 2 == 0) {
+    return std::sqrt(2.0 / half);
+  }
+  const double share = 1.0 / static_cast<double>(n);
+  const double rest = 1.0 - share;
+  // c of every second row, then a and b of all rows but the last, then a and b of the last step.
+  const double variance = half + half * (rest * rest + share * share) +
+                          static_cast<double>(n - 1) * share * share + 2.0 * rest * rest;
+  return std::sqrt(variance) / half;
+}
+
 double motion_uncertainty(std::size_t k, std::size_t n) {
   G31_EXPECTS(k <= n && n > 0);
   return std::sqrt(2.0 * static_cast<double>(k) * static_cast<double>(n - k) /

@@ -30,6 +30,13 @@ SeparatedShapes separate_two_points(std::span<const double> a, std::span<const d
 double tip_offset_over_two(std::span<const double> a, std::span<const double> c,
                            std::span<const double> motion);
 
+/// Its standard uncertainty from n + 1 rows, two steps at least, for readings of standard
+/// uncertainty 1 that know nothing of each other.
+///
+/// Of an even n it is the mean of n / 2 differences of two readings each.  Of an odd one the motion
+/// at n - 1 comes off their sum: 1/n of each difference before, and (n - 1)/n of the last.
+double tip_offset_over_two_uncertainty(std::size_t n);
+
 /// Standard uncertainty of X_K and Y_K of n + 1 rows, for readings of standard uncertainty 1 that
 /// know nothing of each other.
 ///

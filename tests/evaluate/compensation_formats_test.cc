@@ -122,6 +122,13 @@ TEST(CompensationFormats, FanucStraightnessHasFourPlaces) {
                         "N5763 R-16\nN5764 R0\nG11\n"));
 }
 
+// Four places have a number of their own each; of 1.4 um a whole one leaves 0.4.
+TEST(CompensationFormats, FanucStraightnessLeavesWhatWholeNumbersDo) {
+  const std::string rows = "K,A,B\n0,0,0\n1,-0.0014,-0.0014\n2,0,0\n3,0,0\n";
+  EXPECT_THAT(table("straightness", "fanuc", rows),
+              HasSubstr("(FOUR PLACES LEAVE 0.4 UM OF THE CURVE)\n"));
+}
+
 TEST(CompensationFormats, WhatDoesNotFitIsRefused) {
   TemporaryFolder folder;
   EXPECT_THAT(written(folder, "positioning", "heidenhain", kPositioning).errors,

@@ -225,7 +225,7 @@ TEST(CompensationLoop, FanucStraightness) {
     EXPECT_EQ(at.dx, 0.0);
     if (std::abs(at.x - kStep * std::round(at.x / kStep)) < 1.0) {
       ++at_points;
-      EXPECT_LE(std::abs(at.dy), 0.001 * left_um + 0.0005 + 0.0003) << at.x;
+      EXPECT_LE(std::abs(at.dy), 0.001 * left_um + 0.00005 + 0.0003) << at.x;
     }
   }
   EXPECT_GT(at_points, 0);

@@ -83,6 +83,25 @@ TEST(EvaluateStraightness, WritesTheCompensation) {
             "  [2500.000000, -0.001000000],\n  [2600.000000, 0.000000000],\n]\n");
 }
 
+// At row K the first sensor stands at place K: the file may begin anywhere.
+TEST(EvaluateStraightness, PlacesAreThoseOfK) {
+  TemporaryFolder folder;
+  cli::EvaluateOptions options = of_readings("straightness");
+  options.unit = "um";
+  options.given[OptionId::Compensation] = folder.path("bed.toml");
+  options.given[OptionId::From] = "50";
+  const EvaluateOutput output = evaluate_text("K,A,B\n5,0,1\n6,0,-1\n7,0,0\n", options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const std::string sheet = testing::text_of(folder.path("bed.toml"));
+  for (const char* const place : {"[550.0", "[650.0", "[750.0"}) {
+    EXPECT_NE(sheet.find(place), std::string::npos) << sheet;
+  }
+  EXPECT_EQ(output.document.at("curves").at("work")[2][0].get<double>(), 750.0);
+  const EvaluateOutput far = evaluate_text("K,A,B\n1e11,0,1\n100000000001,0,-1\n", options);
+  EXPECT_EQ(far.exit_code, 2);
+  EXPECT_NE(far.errors.find("further than 1000000000 mm"), std::string::npos) << far.errors;
+}
+
 TEST(EvaluateReadings, AreRefusedWithTheLine) {
   struct Case {
     const char* kind;
@@ -95,6 +114,8 @@ TEST(EvaluateReadings, AreRefusedWithTheLine) {
       {"straightness", "K,A,C\n0,1,2\n", "there is no column B"},
       {"flatness", "y,K,A,B\n0,0,1,1\n0,1,1,1\n50,0,1,1\n50,1,1,1\n50,2,1,1\n",
        "data.csv:6:1: error: this line ends after 3 rows, the first has 2"},
+      {"flatness", "y,K,A,B\n0,1,1,1\n0,2,1,1\n50,0,1,1\n50,1,1,1\n",
+       "data.csv:4:1: error: K is 0, it should be 1"},
   };
   for (const Case& c : kCases) {
     const EvaluateOutput output = evaluate_text(c.text, of_readings(c.kind));
@@ -124,8 +145,11 @@ TEST(EvaluateFlatness, OfPointsAndOfLinesOfReadings) {
   EXPECT_NEAR(evaluate_text(lines, options).value("flatness_minimum_zone"), 14.0, 1e-6);
   options.given.erase(OptionId::Step);
   EXPECT_NEAR(evaluate_text(points, options).value("flatness_minimum_zone"), 14.0, 1e-6);
-  EXPECT_NE(evaluate_text("x,y,z\n0,0,0\n1,1,0\n2,2,0\n", options).errors.find("on one line"),
-            std::string::npos);
+  // One row of touches spans no face, however crooked it is.
+  for (const char* const row :
+       {"x,y,z\n0,0,0\n1,1,0\n2,2,0\n", "x,y,z\n0,0,0\n30,0,0.02\n60,0,-0.01\n100,0,0\n"}) {
+    EXPECT_NE(evaluate_text(row, options).errors.find("on one line"), std::string::npos) << row;
+  }
 }
 
 /// A barrel of radius 10, thicker by 8 um in the middle and off the axis, on a bowed slide.

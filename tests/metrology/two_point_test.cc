@@ -2,6 +2,7 @@
 
 #include "probe/metrology/two_point.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -125,6 +126,25 @@ TEST(TwoPoints, UncertaintiesGrowWithTheSteps) {
     }
     EXPECT_NEAR(metrology::motion_uncertainty(n / 2, n), std::sqrt(static_cast<double>(n) / 2.0),
                 1e-12);
+  }
+}
+
+// The offset is linear in the readings: each is moved by itself.
+TEST(TwoPoints, TheThirdSensorsOffsetIsAsUncertainAsItsReadingsMakeIt) {
+  for (const std::size_t n : {2U, 3U, 4U, 7U, 50U, 51U}) {
+    std::array<std::vector<double>, 3> readings;
+    readings.fill(std::vector<double>(n + 1, 0.0));
+    double variance = 0.0;
+    for (auto& sensor : readings) {
+      for (double& reading : sensor) {
+        reading = 1.0;
+        const auto& [a, b, c] = readings;
+        const auto motion = metrology::separate_two_points(a, b).motion;
+        variance += std::pow(metrology::tip_offset_over_two(a, c, motion), 2);
+        reading = 0.0;
+      }
+    }
+    EXPECT_NEAR(metrology::tip_offset_over_two_uncertainty(n), std::sqrt(variance), 1e-12) << n;
   }
 }
 

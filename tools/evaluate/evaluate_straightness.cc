@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -13,10 +14,11 @@ namespace {
 
 using metrology::SeparatedShapes;
 
-std::vector<double> places_of(std::size_t count, double step, double from) {
+/// @param from  the place of K = 0
+std::vector<double> places_of(const SensorRows& rows, double step, double from) {
   std::vector<double> places;
-  for (std::size_t k = 0; k < count; ++k) {
-    places.push_back(from + static_cast<double>(k) * step);
+  for (std::size_t row = 0; row < rows.a.size(); ++row) {
+    places.push_back(from + rows.place(row, step));
   }
   return places;
 }
@@ -56,7 +58,9 @@ void add_offsets(const SensorRows& rows, const SeparatedShapes& shapes, const Re
   const double delta_1 = shapes.delta;
   const double delta_2 = metrology::separate_two_points(rows.b, rows.c).delta;
   const double delta = metrology::tip_offset_over_two(rows.a, rows.c, shapes.motion);
-  evaluation.results.push_back({"delta", um(delta), "um"});
+  evaluation.results.push_back(
+      {"delta", um(delta), "um",
+       um_of(request, metrology::tip_offset_over_two_uncertainty(rows.a.size() - 1))});
   evaluation.results.push_back({"delta_1", um(delta_1), "um", u});
   evaluation.results.push_back({"delta_2", um(delta_2), "um", u});
   evaluation.results.push_back({"delta_closure", um(delta - delta_1 - delta_2), "um"});
@@ -72,13 +76,19 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   const SensorRows& rows = read.value();
   const SeparatedShapes shapes = metrology::separate_two_points(rows.a, rows.b);
   const double from = request.from.value_or(0.0);
-  const std::vector<double> places = places_of(rows.a.size(), *request.step, from);
+  const std::vector<double> places = places_of(rows, *request.step, from);
+  if (!(std::abs(places.front()) <= kLargestLength && std::abs(places.back()) <= kLargestLength)) {
+    return data_error(
+        DataErrorId::CannotEvaluate, file, {},
+        {fmt::format("its places reach {} mm, further than {} mm",
+                     std::max(std::abs(places.front()), std::abs(places.back())), kLargestLength)});
+  }
   Evaluation evaluation;
   evaluation.kind = Kind::Straightness;
   evaluation.samples = rows.a.size();
   add_offsets(rows, shapes, request, evaluation);
   // Where the first place lies is nothing to the zones: beside a large one small steps are lost.
-  const std::vector<double> along = places_of(rows.a.size(), *request.step, 0.0);
+  const std::vector<double> along = places_of({0.0, rows.a, {}, {}}, *request.step, 0.0);
   add_zones("motion_straightness", along, shapes.motion, file.watch, evaluation.results);
   add_zones("work_straightness", along, shapes.work, file.watch, evaluation.results);
   const std::size_t n = rows.a.size() - 1;

@@ -125,6 +125,11 @@ std::string pitch_errors(const MachineError& error, int axis) {
   return text;
 }
 
+/// What a straightness parameter says for a deviation, in detection units.
+std::int64_t correction_in_units(double deviation) {
+  return std::llround(-deviation * kUnitsPerMm);
+}
+
 /// Of four points of a table, first and last among them, those whose lines leave least of the
 /// curve.
 struct FourPoints {
@@ -136,7 +141,8 @@ double left_by(const Curve& curve, const EvenTable& table, const std::array<std:
   Curve lines;
   for (const std::size_t n : at) {
     if (lines.points.empty() || table.place(n) > lines.points.back()[0]) {
-      lines.points.push_back({table.place(n), table.values[n]});
+      const auto written = static_cast<double>(correction_in_units(table.values[n]));
+      lines.points.push_back({table.place(n), -written / kUnitsPerMm});
     }
   }
   const errors::ErrorTable straight = error_table(lines);
@@ -185,8 +191,7 @@ std::string straightness(const MachineError& error, int moving, int compensated)
     text += fmt::format("N{} R{}\n", 5731 + n, point_at(points, table.place(four.at[n])));
   }
   for (std::size_t n = 0; n < four.at.size(); ++n) {
-    text +=
-        fmt::format("N{} R{}\n", 5761 + n, std::llround(-table.values[four.at[n]] * kUnitsPerMm));
+    text += fmt::format("N{} R{}\n", 5761 + n, correction_in_units(table.values[four.at[n]]));
   }
   return text;
 }

@@ -16,7 +16,7 @@ std::vector<WantedColumn> sensor_columns() {
 /// A line while it is read.
 struct OpenLine {
   SensorLine line;
-  double first = 0.0;  // its first K
+  std::size_t first_row = 0;
   std::size_t last_row = 0;
 };
 
@@ -34,11 +34,11 @@ class LineBuilder {
     const double k = table_.has("K") ? table_.numbers("K")[row] : 0.0;
     const auto [found, is_new] = numbers_.try_emplace(key, lines_.size());
     if (is_new) {
-      lines_.push_back({{key, {}}, k, row});
+      lines_.push_back({{key, {k, {}, {}, {}}}, row, row});
     }
     OpenLine& open = lines_[found->second];
     SensorRows& rows = open.line.rows;
-    const double expected = open.first + static_cast<double>(rows.a.size());
+    const double expected = rows.first + static_cast<double>(rows.a.size());
     if (table_.has("K") && k != expected) {
       return data_error(DataErrorId::RowMissing, file_, place_of_line(file_, table_.line(row)),
                         {"K", fmt::format("{}", k), fmt::format("{}", expected)});
@@ -54,7 +54,13 @@ class LineBuilder {
 
   [[nodiscard]] Result<std::vector<SensorLine>, DataError> lines() const {
     std::vector<SensorLine> all;
+    const double first = lines_.front().line.rows.first;
     for (const OpenLine& open : lines_) {
+      if (open.line.rows.first != first) {
+        return data_error(DataErrorId::RowMissing, file_,
+                          place_of_line(file_, table_.line(open.first_row)),
+                          {"K", fmt::format("{}", open.line.rows.first), fmt::format("{}", first)});
+      }
       const std::size_t rows = open.line.rows.a.size();
       const std::size_t expected = lines_.front().line.rows.a.size();
       if (rows != expected || rows < 2) {

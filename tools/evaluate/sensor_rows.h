@@ -11,9 +11,15 @@ namespace g31::evaluate {
 
 /// Readings of sensors along one line, in the sense of travel (they rise as the work comes nearer).
 struct SensorRows {
+  double first = 0.0;  ///< K of the first row
   std::vector<double> a;
   std::vector<double> b;
   std::vector<double> c;  ///< empty without a third sensor
+
+  /// Where the first sensor stands at a row of these, from K = 0.
+  [[nodiscard]] double place(std::size_t row, double step) const {
+    return (first + static_cast<double>(row)) * step;
+  }
 };
 
 /// Readings that belong together: those of one angle or of one line across a plane.
@@ -22,11 +28,11 @@ struct SensorLine {
   SensorRows rows;
 };
 
-/// Reads the columns K, A, B and, where there is one, C.  Without K the rows count.
+/// Reads the columns K, A, B and, where there is one, C.  Without K the rows count, from 0.
 Result<SensorRows, DataError> read_sensor_rows(const DataFile& file, const Request& request);
 
 /// The same of two sensors with a column that says which line a row belongs to, in the order of the
-/// file; the rows of one line may stand anywhere, but each line has the same steps.
+/// file; the rows of one line may stand anywhere, but each line has the same places.
 Result<std::vector<SensorLine>, DataError> read_sensor_lines(const DataFile& file,
                                                              const Request& request,
                                                              const WantedColumn& key);
