@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class ProgramSet {
   virtual void add_folder(const std::string& folder) = 0;
   /// The same of what comes with g31, behind all others.
   virtual void add_shipped_folder(const std::string& folder) = 0;
+  /// Files that lie elsewhere and whose definitions hold for these programs, too: of names that
+  /// there are none of yet, and before those that come with the control.
+  virtual void add_definitions(std::span<const std::string> /*files*/) {}
 
   /// The text of a file that was added.
   virtual const source::SourceFile& text(const std::string& path) = 0;
@@ -34,6 +38,8 @@ class ProgramSet {
   virtual std::optional<Finding> refusal(const std::string& /*path*/) { return std::nullopt; }
   /// All programs of a file that was added, in its order; behind the last file and folder.
   virtual std::vector<Flow> flows(const std::string& path) = 0;
+  /// What every run begins with, wherever it stands; behind the last file and folder.
+  virtual std::vector<Flow> definitions() { return {}; }
   /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.
   virtual std::optional<Fault> missing_program(const Flow& caller, const Call& call) = 0;
   /// What is wrong with the arguments of a call that finds its program; nullopt: nothing, or only a

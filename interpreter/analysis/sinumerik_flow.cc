@@ -161,7 +161,9 @@ void SinumerikTranslation::follow(StepIndex step) {
     repeat_part(step);
   } else if (code == OpCode::Raise) {
     const auto& error = program_.errors[static_cast<std::size_t>(here.a.place)];
-    if (error.id == AlarmId::NotDefined && asked_for_.contains(sinumerik::upper(error.detail))) {
+    const bool is_asked_for =
+        error.id == AlarmId::NotDefined && asked_for_.contains(sinumerik::upper(error.detail));
+    if (is_asked_for || error.follows) {
       next(step);
     } else {
       stop(error.id, span(step), error.detail);

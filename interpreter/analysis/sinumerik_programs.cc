@@ -31,6 +31,9 @@ class SinumerikPrograms final : public ProgramSet {
   void add_shipped_folder(const std::string& folder) override {
     library_.add_shipped_folder(folder);
   }
+  void add_definitions(std::span<const std::string> files) override {
+    library_.add_definitions(files);
+  }
 
   const source::SourceFile& text(const std::string& path) override {
     const sinumerik::ProgramFile* const file = library_.file(path);
@@ -47,6 +50,14 @@ class SinumerikPrograms final : public ProgramSet {
       const sinumerik::CompiledProgram& code = program->code(library_.globals());
       note_calls(code);
       all.push_back(flow_of(code));
+    }
+    return all;
+  }
+
+  std::vector<Flow> definitions() override {
+    std::vector<Flow> all;
+    for (const sinumerik::CompiledProgram* const code : library_.definitions()) {
+      all.push_back(flow_of(*code));
     }
     return all;
   }

@@ -1,6 +1,7 @@
 #include "interpreter/analysis/static_findings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -123,6 +124,17 @@ std::vector<Finding> static_findings(ProgramSet& programs, const std::string& pa
     findings.add(flow);
   }
   return findings.take();
+}
+
+std::map<std::string, std::vector<Finding>> definition_findings(ProgramSet& programs) {
+  std::map<std::string, std::vector<Finding>> by_file;
+  for (const Flow& flow : programs.definitions()) {
+    Findings findings(programs);
+    findings.add(flow);
+    std::ranges::move(findings.take(), std::back_inserter(by_file[flow.file->name()]));
+  }
+  std::erase_if(by_file, [](const auto& file) { return file.second.empty(); });
+  return by_file;
 }
 
 }  // namespace g31::analysis

@@ -96,6 +96,18 @@ TEST(Check, CarefulProgramsPassWithoutAWord) {
   EXPECT_EQ(output.errors, "");
 }
 
+// What is wrong with the beginning of a loop is not said of its end once more.
+TEST(Check, ABadBeginningOfALoopIsToldOnce) {
+  TemporaryFolder folder;
+  const CheckOutput output = checked_files({folder.write(
+      "case.mpf", "DEF INT I\nFOR I=1 TO NOBODY\nR1=NOTHING\nENDFOR\nR2=NOWHERE\nM30\n")});
+  const auto found = places(output.text, folder);
+  ASSERT_EQ(found.size(), 3U) << output.text;
+  EXPECT_TRUE(found[0].starts_with("case.mpf:2:12:"));
+  EXPECT_TRUE(found[1].starts_with("case.mpf:3:4:"));
+  EXPECT_TRUE(found[2].starts_with("case.mpf:5:4:"));
+}
+
 TEST(Check, ArgumentsAreHeldAgainstTheProcOfTheProgramCalled) {
   TemporaryFolder folder;
   const std::string main = folder.write("PART.MPF",
@@ -269,6 +281,35 @@ TEST(Check, AFolderIsAllProgramsBelowIt) {
   EXPECT_TRUE(found[1].starts_with("a/G.DEF:1:"));
   EXPECT_TRUE(found[2].starts_with("a/P.MPF:1:6:"));
   EXPECT_TRUE(found[3].starts_with("a/b/O1234:2:6:"));
+}
+
+TEST(Check, DefinitionFilesOfASisterFolderHoldForTheProgramsOfAFolder) {
+  TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("a/DEF.DIR"));
+  std::filesystem::create_directories(folder.path("a/MPF.DIR"));
+  std::filesystem::create_directories(folder.path("b/DEF.DIR"));
+  std::filesystem::create_directories(folder.path("b/MPF.DIR"));
+  folder.write("a/DEF.DIR/MGUD.DEF", "DEF NCK REAL OF_A=1\n");
+  folder.write("a/MPF.DIR/TT.MPF", "R1=OF_A\nM30\n");
+  folder.write("b/DEF.DIR/MGUD.DEF", "DEF NCK STRING[9] OF_B=\"X\"\n");
+  folder.write("b/MPF.DIR/TT.MPF", "OF_B=\"Y\"\nM30\n");
+  folder.write("b/table.def", "ROW(1)\n");  // of other software
+  const CheckOutput output = checked_files({folder.path("")});
+  EXPECT_EQ(output.exit_code, 0) << output.text;  // each has the MGUD that lies nearest
+}
+
+TEST(Check, AnErrorInADefinitionFileOfALibraryEndsEveryRun) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("lib"));
+  folder.write("lib/MGUD.DEF", "DEF NCK REAL KK=QQ\n");
+  cli::CheckOptions options;
+  options.files = {folder.write("TT.MPF", "R1=1\nM30\n")};
+  options.libraries = {folder.path("lib")};
+  const CheckOutput output = checked(options);
+  EXPECT_EQ(output.exit_code, 1);
+  const auto found = places(output.text, folder);
+  ASSERT_EQ(found.size(), 1U) << output.text;
+  EXPECT_TRUE(found[0].starts_with("lib/MGUD.DEF:1:17:")) << found[0];
 }
 
 TEST(Check, AWrongBlockMayBeTheEndThatIsMissing) {

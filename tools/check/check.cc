@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <utility>
 
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/static_findings.h"
+#include "machine/base/letters.h"
 #include "tools/check/disabled_findings.h"
 #include "tools/disk/shipped.h"
 #include "tools/session/analysed_programs.h"
@@ -57,6 +59,35 @@ std::vector<Group> groups_of(const Request& request, source::FileSystem& files) 
   return groups;
 }
 
+/// How many folders two paths have in common from the start.
+std::ptrdiff_t common_folders(const std::string& a, const std::string& b) {
+  const std::filesystem::path first = std::filesystem::path(a).lexically_normal();
+  const std::filesystem::path second = std::filesystem::path(b).lexically_normal();
+  return std::distance(first.begin(), std::ranges::mismatch(first, second).in1);
+}
+
+bool is_definition_file(const std::string& path) {
+  return in_small_letters(std::filesystem::path(path).extension().string()) == ".def";
+}
+
+/// All definition files that are checked hold for all programs, as in the memory of a control;
+/// those that lie nearest come first.
+void add_definitions(analysis::ProgramSet& programs, const Group& group,
+                     const std::vector<Group>& groups) {
+  std::map<std::ptrdiff_t, std::vector<std::string>, std::greater<>> by_nearness;
+  for (const Group& other : groups) {
+    if (other.folder != group.folder &&
+        session::name_of(other.control) == session::name_of(group.control)) {
+      std::ranges::copy_if(
+          other.files, std::back_inserter(by_nearness[common_folders(group.folder, other.folder)]),
+          is_definition_file);
+    }
+  }
+  for (const auto& [common, files] : by_nearness) {
+    programs.add_definitions(files);
+  }
+}
+
 /// What programs of the group can call beside their own files.
 void add_callable(analysis::ProgramSet& programs, const Group& group,
                   const std::vector<Group>& groups, const Request& request) {
@@ -74,9 +105,19 @@ void add_callable(analysis::ProgramSet& programs, const Group& group,
   for (const std::string& folder : request.libraries) {
     programs.add_folder(folder);
   }
+  add_definitions(programs, group, groups);
   if (const std::string shipped = shipped_for(group.control); !shipped.empty()) {
     programs.add_shipped_folder(shipped);
   }
+}
+
+std::vector<analysis::Finding> without_disabled_ones(std::vector<analysis::Finding> found,
+                                                     const Group& group,
+                                                     const source::SourceFile& file,
+                                                     const source::SourceMap& sources) {
+  return without_disabled(
+      std::move(found), file,
+      session::message_comments(file.text(), session::comment_form(group.control)), sources);
 }
 
 }  // namespace
@@ -84,6 +125,7 @@ void add_callable(analysis::ProgramSet& programs, const Group& group,
 Findings check(const Request& request, source::SourceMap& sources) {
   Findings all;
   std::map<std::string, std::vector<analysis::Finding>> by_file;
+  std::map<std::string, std::vector<analysis::Finding>> definitions;  ///< of files beside those
   const std::vector<Group> groups = groups_of(request, sources.files());
   for (const Group& group : groups) {
     auto programs = session::analysed_programs(group.control, sources, request.setup);
@@ -98,14 +140,21 @@ Findings check(const Request& request, source::SourceMap& sources) {
     add_callable(*programs, group, groups, request);
     for (const std::string& path : readable) {
       const source::SourceFile& file = programs->text(path);
-      by_file[path] = without_disabled(
-          analysis::static_findings(*programs, path), file,
-          session::message_comments(file.text(), session::comment_form(group.control)), sources);
+      by_file[path] =
+          without_disabled_ones(analysis::static_findings(*programs, path), group, file, sources);
       request.file_done();
+    }
+    for (auto& [path, found] : analysis::definition_findings(*programs)) {
+      definitions.try_emplace(
+          path, without_disabled_ones(std::move(found), group, programs->text(path), sources));
     }
   }
   for (const std::string& path : request.paths.files) {
     std::ranges::move(by_file[path], std::back_inserter(all.found));
+    definitions.erase(path);
+  }
+  for (auto& [path, found] : definitions) {
+    std::ranges::move(found, std::back_inserter(all.found));
   }
   return all;
 }

@@ -31,6 +31,7 @@ struct Findings {
 
 /// Without what comments of the programs disable (disabled_findings.h).
 ///
+/// Beside those of the files, the findings of definition files that a run would read with them.
 /// Looks up what a program calls as a run of it would: in its file, in the other files of its
 /// folder that are checked, in those that are named, in its folder, in the libraries and among the
 /// programs shipped with g31.

@@ -30,11 +30,30 @@ bool has_program_number(const std::string& stem) {
          std::all_of(stem.begin() + 1, stem.end(), is_digit);
 }
 
-bool is_program(const fs::path& path, bool beside_sinumerik) {
+/// MGUD.DEF, GUD4.DEF, UMAC.DEF: other software has .def files, too.
+bool is_named_as_definition(const std::string& stem) {
+  const std::size_t end = stem.find_last_not_of("0123456789");
+  const std::string_view name = std::string_view(stem).substr(0, end + 1);
+  return name.ends_with("gud") || name.ends_with("mac");
+}
+
+/// What else lies about a file.
+struct Company {
+  bool beside_sinumerik = false;  ///< programs in its own folder
+  bool among_sinumerik = false;   ///< somewhere in the folder that was named
+};
+
+bool is_definition(const fs::path& path, const Company& company) {
+  return in_small_letters(path.extension().string()) == ".def" &&
+         (company.beside_sinumerik ||
+          (company.among_sinumerik &&
+           is_named_as_definition(in_small_letters(path.stem().string()))));
+}
+
+bool is_program(const fs::path& path) {
   const std::string ending = in_small_letters(path.extension().string());
   return is_sinumerik(ending) || has_program_number(in_small_letters(path.stem().string())) ||
-         is_one_of(ending, {".nc", ".cnc", ".tap", ".eia", ".iso", ".ncc", ".min"}) ||
-         (ending == ".def" && beside_sinumerik);
+         is_one_of(ending, {".nc", ".cnc", ".tap", ".eia", ".iso", ".ncc", ".min"});
 }
 
 /// All files of a folder and those below it; links to folders are not followed.
@@ -63,14 +82,19 @@ std::vector<std::string> programs_below(const std::string& folder,
                                         std::vector<ProgramPaths::Closed>& closed) {
   std::map<fs::path, std::vector<fs::path>> by_folder;
   add_files(folder, by_folder, closed);
-  std::vector<std::string> found;
-  for (auto& [place, files] : by_folder) {
-    const bool beside_sinumerik = std::ranges::any_of(files, [](const fs::path& file) {
+  const auto has_sinumerik = [](const auto& files) {
+    return std::ranges::any_of(files.second, [](const fs::path& file) {
       return is_sinumerik(in_small_letters(file.extension().string()));
     });
+  };
+  const bool among_sinumerik = std::ranges::any_of(by_folder, has_sinumerik);
+  std::vector<std::string> found;
+  for (auto& folder_files : by_folder) {
+    std::vector<fs::path>& files = folder_files.second;
+    const Company company{has_sinumerik(folder_files), among_sinumerik};
     std::ranges::sort(files);
     for (const fs::path& file : files) {
-      if (is_program(file, beside_sinumerik)) {
+      if (is_program(file) || is_definition(file, company)) {
         found.push_back(file.lexically_normal().string());
       }
     }

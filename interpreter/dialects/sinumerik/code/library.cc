@@ -83,6 +83,15 @@ void ProgramLibrary::add_folder(const std::string& folder) {
   folders_.push_back(std::move(known));
 }
 
+void ProgramLibrary::add_definitions(std::span<const std::string> files) {
+  for (const std::string& path : files) {
+    ProgramFile* const added = is_opened(path) ? nullptr : file(path);
+    if (added != nullptr) {
+      open(*added, true);
+    }
+  }
+}
+
 void ProgramLibrary::add_shipped_folder(const std::string& folder) {
   shipped_folder_ = folder;
   add_folder(folder);

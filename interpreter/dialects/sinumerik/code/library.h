@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,9 @@ class ProgramLibrary {
   Added add_file(const std::string& path);
   /// @returns nothing: a folder that cannot be read has no programs
   void add_folder(const std::string& folder);
-  /// The same of what comes with the control, behind all others.
+  /// Of these files the definitions alone, of names that there are none of yet.
+  void add_definitions(std::span<const std::string> files);
+  /// As add_folder(), of what comes with the control, behind all others.
   void add_shipped_folder(const std::string& folder);
 
   /// Reads the definition files, when it is asked for the first time, which ends the adding of
