@@ -37,7 +37,7 @@ class Assignments : private BlockPart {
   void repeat_value(const Expr& target);
   void assign_component(const Expr& frame);
   void assign_character(const Expr& target);
-  void check_limits(const Expr& target, Operand value);
+  void check_value(const Expr& target, Operand value);
 
   KnownVariables& variables_;
   Expressions& expressions_;

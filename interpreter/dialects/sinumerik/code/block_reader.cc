@@ -50,6 +50,12 @@ void BlockReader::fail(AlarmId id, ShortSpan where, std::string_view detail) {
   }
 }
 
+void BlockReader::fail_by_earlier(AlarmId id, ShortSpan where, std::string_view detail) {
+  const bool is_first = !failed();
+  fail(id, where, detail);
+  error_->follows = is_first;
+}
+
 std::string BlockReader::text_of(ShortSpan where) const {
   return where.end > where.begin ? source::printable(source(where))
                                  : std::string("the end of the block");

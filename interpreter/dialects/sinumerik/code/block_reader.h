@@ -25,6 +25,8 @@ class BlockReader {
   /// The first thing wrong in a block is the one that counts.
   void fail(AlarmId id, ShortSpan where, std::string_view detail = {});
   void fail(AlarmId id, std::string_view detail = {}) { fail(id, cursor.peek().where, detail); }
+  /// The same of what is wrong only because a block before it is.
+  void fail_by_earlier(AlarmId id, ShortSpan where, std::string_view detail);
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   /// @pre failed()
   [[nodiscard]] const BlockError& error() const { return *error_; }

@@ -45,8 +45,8 @@ class CallablePrograms {
   /// A file that the run wrote itself, as a program; lives as long as the session.
   const CompiledProgram* written(const std::string& name, const std::string& text);
 
-  /// What a text is called that no program calls.
-  static constexpr const char* kCommandLine = "command line";
+  /// What a text is called that no program calls: of [machine_data], [variables] or --set.
+  static constexpr const char* kCommandLine = "sheet or command line";
 
   /// `text` as blocks among the local variables of `home`; lives as long as the session.
   /// @param name  what places in it are shown with

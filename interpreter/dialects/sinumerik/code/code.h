@@ -91,7 +91,8 @@ struct Variable {
   std::int32_t longest = 0;  ///< STRING[n]: n
   Limits limits;
   DatumUnit unit = DatumUnit::Plain;
-  bool is_by_axis = false;  ///< its last index is an axis: rotary axes count in degrees
+  std::optional<double> fixed;  ///< a datum that is kept: the value that g31 goes on as with
+  bool is_by_axis = false;      ///< its last index is an axis: rotary axes count in degrees
 };
 
 /// An argument of a call, a function or a list.
@@ -154,6 +155,7 @@ struct NcBlock {
 struct BlockError {
   AlarmId id = AlarmId::SyntaxInText;
   std::string detail;
+  bool follows = false;  ///< from a mistake in a block before, which is told there
 };
 
 /// A datum of an INI file that this control of g31 does not have.

@@ -57,6 +57,7 @@ Globals::Globals() {
   for (const MachineDatum& row : machine_data()) {
     Variable variable = row_variable(row.name, row.type, row.count);
     variable.unit = row.unit;
+    variable.fixed = row.is_fixed ? std::optional(row.preset) : std::nullopt;
     const std::int32_t place = define(variable)->place;
     if (is_number(row.type)) {
       std::fill(numbers_.begin() + place, numbers_.end(), row.preset);

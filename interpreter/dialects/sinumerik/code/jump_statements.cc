@@ -145,7 +145,7 @@ bool JumpStatements::jump_statement() {
 /// To a label, a block number, or what a text says.
 void JumpStatements::jump_to(Direction direction) {
   const bool is_text =
-      cursor_.peek().kind == TokenKind::Text ||
+      cursor_.peek().kind == TokenKind::Text || cursor_.peek().is(Symbol::LeftParen) ||
       (cursor_.peek().kind == TokenKind::Name && variables_.find(cursor_.peek().text) >= 0);
   const ShortSpan where = cursor_.peek().where;
   if (is_text) {

@@ -29,7 +29,7 @@ std::optional<Structure> StructureStatements::close(StructureKind kind) {
 std::optional<Structure> StructureStatements::close_loop(StructureKind kind) {
   auto loop = close(kind);
   if (loop && loop->head < 0) {
-    fail(AlarmId::BadNesting, block(), text_of(block()));
+    reader_.fail_by_earlier(AlarmId::BadNesting, block(), text_of(block()));
     return std::nullopt;
   }
   return loop;

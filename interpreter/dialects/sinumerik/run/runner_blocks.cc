@@ -27,6 +27,18 @@ MaybeFailure Runner::surplus_end(const Op& /*op*/) {
   return std::nullopt;
 }
 
+MaybeFailure Runner::tell_fixed(const Op& op) {
+  const Variable& datum = level().program->variables[static_cast<std::size_t>(op.b.place)];
+  const double value = operands_.number(op.a);
+  if (value != datum.fixed) {
+    channel_.warnings.add(channel_.diagnostics, source::DiagnosticId::DatumWithoutEffect,
+                          stack_.here(),
+                          fmt::format("{} = {}: the run goes on as with {}", datum.name, value,
+                                      datum.fixed.value_or(0.0)));
+  }
+  return std::nullopt;
+}
+
 /// The block that the step `op` begins.
 runtime::BlockPlace Runner::block_place(const Op& op) const {
   runtime::BlockPlace place;

@@ -7,8 +7,11 @@ namespace {
 
 constexpr auto kMachineData = std::to_array<MachineDatum>({
 #define MACHINE_DATA(number, name, type, count, preset, unit, text) \
-  {number, name, Type::type, count, preset, DatumUnit::unit, text},
+  {number, name, Type::type, count, preset, DatumUnit::unit, text, false},
+#define FIXED_DATA(number, name, type, count, preset, unit, text) \
+  {number, name, Type::type, count, preset, DatumUnit::unit, text, true},
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.def"
+#undef FIXED_DATA
 #undef MACHINE_DATA
 });
 

@@ -16,6 +16,7 @@ struct MachineDatum {
   double preset;
   DatumUnit unit;
   std::string_view text;
+  bool is_fixed;  ///< kept, but g31 goes on as with the preset
 };
 
 std::span<const MachineDatum> machine_data();
