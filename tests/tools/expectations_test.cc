@@ -133,8 +133,7 @@ TEST(Expectations, OfTheCommandLineTakeThePlaceOfTheSheets) {
 TEST(Expectations, OfTheCommandLineSayOneThingOfAVariable) {
   for (const auto& [first, second] :
        {std::pair("#100=3", "#100=20+-0.001"), std::pair("#100=3", "#0100=20+-0.001"),
-        std::pair("#101=3", "#100-#102=1"), std::pair("#100-#102=3", "#102-#103=1"),
-        std::pair("#100,#100=3", "#7=vacant")}) {
+        std::pair("#101=3", "#100-#102=1"), std::pair("#100-#102=3", "#102-#103=1")}) {
     const RunOutput output = run_with(kProgram, kSignal, {first, second});
     EXPECT_EQ(output.exit_code, 2) << first << " " << second;
     EXPECT_NE(output.errors.find(std::string("by --expect ") + first + ", too: keep one of them"),

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/kinematics/plane_rotation.h"
+#include "tests/support/effort.h"
 #include "tests/support/five_axis_run.h"
 #include "tests/support/worked_machines.h"
 
@@ -41,6 +42,8 @@ std::string in_the_plane(std::size_t set_up) {
       set_up % 2 == 1 ? "TRAORI\n" : "", set_up % 3 == 0 ? 1 : -1);
 }
 
+constexpr std::size_t kSetUps = of_many(6);
+
 std::vector<machine::AxisChainSetup> machines() {
   return {k1(), k2(), k3(), k4(), k5(), k6()};
 }
@@ -62,7 +65,7 @@ MeasuringRun ring_on(std::size_t set_up, int variant, const std::vector<std::str
 /// Whether the ball's place is kept apart or not, the triggers are those of the probe, not of the
 /// plane.
 TEST(SwivelledCalibration, ARingSaysWhatTheProbesOwnDirectionsDo) {
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < kSetUps; ++i) {
     SCOPED_TRACE(i);
     const double radius = 3.0 - kLate;
     expect_values(
@@ -81,7 +84,7 @@ TEST(SwivelledCalibration, ARingSaysWhatTheProbesOwnDirectionsDo) {
 }
 
 TEST(SwivelledCalibration, WhatIsMeasuredThereAfterwardsIsRight) {
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < kSetUps; ++i) {
     for (const int variant : {1, 10001}) {
       SCOPED_TRACE(fmt::format("{} {}", i, variant));
       // Without the ball's place the chords lie up to 0.036 beside the middle: 0.00007 of 40.
@@ -93,7 +96,7 @@ TEST(SwivelledCalibration, WhatIsMeasuredThereAfterwardsIsRight) {
 }
 
 TEST(SwivelledCalibration, ABallToo) {
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < kSetUps; ++i) {
     SCOPED_TRACE(i);
     const std::string program = in_the_plane(i) +
                                 "Z15\nCYCLE976(3,1,25,0,1,0,3,5,0,0,1,0,1,0)\nG0 X0 Y0 Z20\n"
