@@ -258,7 +258,7 @@ TEST(Study, FailedRunsAreRowsAndStayOutOfTheStatistics) {
 TEST(Study, AVacantResultIsLeftOutWithAWarning) {
   const SmallStudy small("#101= #0\n");
   const StudyOutput output = run_study(small.options("repeats = 2", kSquare));
-  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_EQ(output.exit_code, 1);
   EXPECT_NE(output.errors.find("result square is vacant or not a number in 2 of 2 runs"),
             std::string::npos);
 }

@@ -46,6 +46,17 @@ TEST(StudentT, QuantilesOfOneTwoAndFourDegreesHaveClosedForms) {
   }
 }
 
+// What goes beyond the numbers is left out; none of it is infinite.
+TEST(Statistics, OfReadingsTooFarApartHaveNoDeviation) {
+  const Summary wide = summarise(std::vector<double>{-1e200, 1e200}, 0.95, 0.0);
+  EXPECT_EQ(wide.mean, 0.0);
+  EXPECT_EQ(wide.max, 1e200);
+  EXPECT_FALSE(wide.standard_deviation || wide.mean_confidence || wide.expanded_uncertainty);
+  const Summary wider = summarise(std::vector<double>{-1.7e308, 1.7e308}, 0.95, 0.0);
+  EXPECT_EQ(wider.n, 2U);
+  EXPECT_FALSE(wider.mean || wider.bias || wider.standard_deviation);
+}
+
 TEST(StudentT, ManyDegreesAreTheNormalDistribution) {
   for (const double p : {0.6, 0.9, 0.975, 0.999}) {
     const double z = random_detail::normal_quantile(p);

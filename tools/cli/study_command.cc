@@ -199,10 +199,15 @@ Made merge_shards(const StudyOptions& options) {
                 : Made(session::bad_input(fmt::format("--merge: {}", merged.error())));
 }
 
+/// A result that a run leaves vacant is a finding, too: what was asked for is not known of it.
 ExitCode worst_of(const study::Record& record) {
   int worst = 0;
   for (const study::Row& row : record.rows) {
-    worst = std::max(worst, row.exit_code);
+    const bool is_vacant =
+        row.has_completed() &&
+        std::ranges::any_of(row.results, [](const auto& result) { return !result.has_value(); });
+    const auto least = is_vacant ? ExitCode::Findings : ExitCode::Completed;
+    worst = std::max({worst, row.exit_code, static_cast<int>(least)});
   }
   return static_cast<ExitCode>(worst);
 }

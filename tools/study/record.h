@@ -39,6 +39,8 @@ struct Row {
   std::vector<double> drawn;
   std::vector<std::optional<double>> results;  ///< all empty when the run did not complete
   std::string note;                            ///< one line: why it did not
+
+  [[nodiscard]] bool has_completed() const { return status == "completed"; }
 };
 
 /// Which runs a part of a study holds: part `index` of `of`, from 1.

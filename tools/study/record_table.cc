@@ -46,6 +46,10 @@ std::string shown(const std::optional<double>& number) {
   if (!number) {
     return "-";
   }
+  constexpr double kLongest = 1e9;  // more digits say nothing
+  if (std::abs(*number) >= kLongest) {
+    return fmt::format("{:.5e}", *number);
+  }
   // -0.00000 is 0.
   const std::string text = fmt::format("{:.5f}", *number);
   return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.5f}", 0.0) : text;
@@ -197,7 +201,7 @@ std::string record_warnings(const Record& record) {
         record.rows.size(), status, count == 1 ? "is" : "are", first->run + 1, first->note);
   }
   const auto has_findings = [](const Row& row) {
-    return row.status == "completed" && row.exit_code != 0;
+    return row.has_completed() && row.exit_code != 0;
   };
   if (const auto count = std::ranges::count_if(record.rows, has_findings); count > 0) {
     const auto first = std::ranges::find_if(record.rows, has_findings);
@@ -205,9 +209,8 @@ std::string record_warnings(const Record& record) {
                         record.rows.size(), first->run + 1, first->note);
   }
   for (std::size_t i = 0; i < record.description.results.size(); ++i) {
-    const auto vacant = std::ranges::count_if(record.rows, [&](const Row& row) {
-      return row.status == "completed" && !row.results.at(i);
-    });
+    const auto vacant = std::ranges::count_if(
+        record.rows, [&](const Row& row) { return row.has_completed() && !row.results.at(i); });
     if (vacant > 0) {
       text += fmt::format(
           "result {} is vacant or not a number in {} of {} runs, which its statistics "

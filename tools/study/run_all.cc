@@ -1,6 +1,9 @@
 #include "tools/study/run_all.h"
 
+#include <optional>
+
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -15,6 +18,11 @@ std::vector<Row> run_all(const RunSpan& runs, std::size_t threads,
   G31_EXPECTS(runs.begin <= runs.end);
   std::vector<Row> rows(runs.end - runs.begin);
   const int workers = threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads);
+  // As many as are asked for, even where the machine has fewer cores.
+  std::optional<tbb::global_control> allowed;
+  if (threads > 0) {
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
   tbb::task_arena arena(workers);
   arena.execute([&] {
     tbb::parallel_for(

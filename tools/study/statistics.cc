@@ -42,6 +42,9 @@ Summary summarise(std::span<const double> readings, double level, std::optional<
   }
   const double mean_step = steps.value() / n;
   const double mean = first + mean_step;
+  if (!std::isfinite(mean)) {
+    return summary;  // readings so far apart that their differences are no numbers
+  }
   summary.mean = mean;
   summary.min = *std::ranges::min_element(readings);
   summary.max = *std::ranges::max_element(readings);
@@ -57,6 +60,9 @@ Summary summarise(std::span<const double> readings, double level, std::optional<
     squares.add(off * off);
   }
   const double deviation = std::sqrt(squares.value() / (n - 1.0));
+  if (!std::isfinite(deviation)) {
+    return summary;  // the same of their squares
+  }
   const double reach =
       student_t_quantile(0.5 + 0.5 * level, readings.size() - 1) * deviation / std::sqrt(n);
   summary.standard_deviation = deviation;
