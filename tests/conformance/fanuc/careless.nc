@@ -240,3 +240,32 @@ O9500
 M99
 %
 (EXPECT NO WARNING PRB330)
+
+(CASE CL-21 other origins and reference points while G68 turns the coordinates)
+%
+O1
+G90 G54 G00 X0. Y0.
+G68 X0. Y0. R30.
+X10.
+G55
+G28 X10. Y0.
+G69
+G54
+G28 Z0.
+M30
+%
+(EXPECT WARNING PRB332 AT 6)
+(EXPECT WARNING PRB332 AT 7)
+
+(CASE CL-22 behind G69, or with G68 itself, they have their place)
+%
+O1
+G90 G54 G68 X0. Y0. R30.
+G00 X10.
+G69 G55
+G68 X0. Y0. R10.
+G54 G69
+G28 Z0.
+M30
+%
+(EXPECT NO WARNING PRB332)

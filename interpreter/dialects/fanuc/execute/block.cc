@@ -7,10 +7,24 @@
 #include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
 namespace {
+
+/// A block that goes on in rotation (G68) and has a code of other origins or of reference points.
+[[gnu::cold]] void tell_barred_in_rotation(Control& control, const Codes& codes,
+                                           source::Location where) {
+  const bool begins_it = codes.frame != nullptr;
+  const GCode* const barred =
+      codes.work_offset != nullptr ? codes.work_offset
+      : codes.one_shot != nullptr && is_barred_in_rotation(codes.one_shot->action) ? codes.one_shot
+                                                                                   : nullptr;
+  if (barred != nullptr && !begins_it) {
+    control.warn_once(source::DiagnosticId::OriginInRotation, where, to_text(barred->number));
+  }
+}
 
 /// G27 to G30 have no place between holes (MB-312).
 bool is_barred_in_cycle(GAction action) {
@@ -161,6 +175,9 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   command_machine(control, words);
   if (codes.value().unsimulated != nullptr) {
     control.warn_once(source::DiagnosticId::NotSimulated, where, codes.value().unsimulated->text);
+  }
+  if (control.transforms.rotation && control.profile.bars_origins_in_rotation) {
+    tell_barred_in_rotation(control, codes.value(), where);
   }
   if (codes.value().starts_polar) {
     start_polar(control);

@@ -37,6 +37,14 @@ constexpr bool is_barred_in_plane(GAction action) {
          action == GAction::Scaling || action == GAction::Rotation;
 }
 
+/// Whether a code of one block has no place in coordinates that G68 turns.
+constexpr bool is_barred_in_rotation(GAction action) {
+  return action == GAction::SetPosition || action == GAction::PresetSystem ||
+         action == GAction::LocalShift || action == GAction::MachineMove ||
+         action == GAction::CheckReference || action == GAction::ToReference ||
+         action == GAction::FromReference;
+}
+
 /// Whether a code has no place under tool centre point control (G43.4).
 constexpr bool is_barred_under_tip_control(GAction action) {
   return action != GAction::WorkOffset &&

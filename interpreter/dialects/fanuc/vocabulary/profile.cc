@@ -97,6 +97,7 @@ constexpr Profile meldas() {
   profile.start_letter = 'H';
   profile.cycle_repeats = 'L';
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
+  profile.bars_origins_in_rotation = false;
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
   profile.macro_alarm.smallest = 1;
@@ -131,6 +132,7 @@ constexpr Profile haas() {
   profile.name = "haas";
   profile.text = "Haas";
   profile.cycle_repeats = 'L';
+  profile.bars_origins_in_rotation = false;
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;

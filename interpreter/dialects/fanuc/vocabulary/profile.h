@@ -163,6 +163,9 @@ struct Profile {
                               VariableGroup::LegacyOffsets, VariableGroup::LongOffsets,
                               VariableGroup::OffsetsC,      VariableGroup::ExternalOffset};
 
+  /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
+  bool bars_origins_in_rotation = true;
+
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles
