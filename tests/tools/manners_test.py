@@ -251,6 +251,15 @@ class Manners(unittest.TestCase):
                 self.skipTest(errors)
             self.assertEqual(plan.returncode, 130, errors)
 
+    def test_an_ignored_interruption_stays_ignored(self):
+        (self.folder / "a.nc").write_text("%\nO1\nN1 GOTO1\nM30\n%\n")
+        run = subprocess.Popen([G31, "run", "a.nc", "--max-blocks", "100000000000", "--max-time", "1"], cwd=self.folder,
+                               stderr=subprocess.DEVNULL, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        for _ in range(5):
+            time.sleep(0.1)
+            run.send_signal(signal.SIGINT)
+        self.assertEqual(run.wait(), 6)
+
     def test_an_earlier_document_stays_until_a_new_one_takes_its_place(self):
         document = self.folder / "a.json"
         earlier = '{"schema": "g31.run/1"}'

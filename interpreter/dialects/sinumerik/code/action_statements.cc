@@ -108,6 +108,9 @@ ActionStatements::ActionText ActionStatements::action_list(ActionKind kind, bool
       cursor_.next();
       list.deletes_distance = true;
       continue;
+    } else if (action.is_name("DELDTG")) {
+      fail(AlarmId::NotImplemented, action.where,
+           "DELDTG of one axis: DELDTG alone ends the whole move");
     } else if (action.is_name("STOPREOF")) {
       cursor_.next();
       continue;
