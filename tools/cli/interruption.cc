@@ -13,8 +13,8 @@ void ask_for_it(int) {
   is_asked_for = true;
 }
 
-/// What began g31 with the signal ignored, as nohup and a shell's background jobs do, wants it to go
-/// on.
+/// What began g31 with the signal ignored, as nohup and a shell's background jobs do, wants it to
+/// go on.
 void catch_once(int signal) {
   struct sigaction action = {};
   if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) {
