@@ -181,6 +181,8 @@ TEST(DataFiles, OptionsThatDoNotFitAreRefused) {
       {"columns", with([](auto& o) { o.columns = {"X"}; }), "--columns X: write NAME=COLUMN"},
       {"a name that is not there", with([](auto& o) { o.columns = {"X=Q"}; }),
        "there is no column Q"},
+      {"a name that nothing looks for", with([](auto& o) { o.columns = {"Q=X"}; }),
+       "--columns Q=X: Q is none of the columns here, which are "},
       {"one column for two", with([](auto& o) { o.columns = {"X=Y"}; }),
        "the column Y cannot be both Y and X"},
       {"an interval", with([](auto& o) { o.given[OptionId::Interval] = "soon"; }),

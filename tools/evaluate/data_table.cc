@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "machine/base/contract.h"
 #include "machine/base/nearest_name.h"
@@ -133,9 +134,29 @@ class TableReader {
     }
     const std::vector<std::string_view> names = split(line_, separator_);
     wanted_at_.assign(names.size(), -1);
+    if (auto wrong = why_not_renamed()) {
+      return wrong;
+    }
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       if (auto wrong = find_column(i, names)) {
         return wrong;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// A name of --columns that nothing here looks for.
+  std::optional<DataError> why_not_renamed() const {
+    for (const auto& [name, column] : rules_.names) {
+      if (std::ranges::find(wanted_, name, &WantedColumn::name) == wanted_.end()) {
+        std::vector<std::string_view> known;
+        for (const WantedColumn& wanted : wanted_) {
+          known.push_back(wanted.name);
+        }
+        return data_error(
+            DataErrorId::CannotEvaluate, file_, {},
+            {fmt::format("--columns {}={}: {} is none of the columns here, which are {}", name,
+                         column, name, fmt::join(known, ", "))});
       }
     }
     return std::nullopt;
