@@ -85,6 +85,20 @@ TEST(RunRecord, TakesThePlaceOfNothingThatIsRead) {
   EXPECT_EQ(testing::text_of(program), "O1\nM30\n");
 }
 
+// A document names the subprograms that its program calls; the next run takes it for none of them.
+TEST(RunRecord, TakesThePlaceOfThatOfAnEarlierRun) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nG65 P9010 A1.\nM30\n");
+  for (const char* const option : {"--json", "--jsonl"}) {
+    const std::string document = folder.path(std::string("a") + option + ".txt");
+    for (int i = 0; i < 2; ++i) {
+      const auto said = g31({"run", program, option, document});
+      EXPECT_EQ(said.exit_code, 3) << said.errors;  // O9010 misses its data
+      EXPECT_NE(testing::text_of(document).find("O9010"), std::string::npos);
+    }
+  }
+}
+
 /// Each option that writes a file, pointed at a file that only the sheet or the program names.
 TEST(RunRecord, TakesThePlaceOfNothingThatASheetOrAProgramNames) {
   const TemporaryFolder folder;

@@ -53,6 +53,12 @@ bool writes_number(std::string_view text, int number) {
   return false;
 }
 
+/// JSON and HTML, as g31 itself leaves them beside programs whose numbers they name.
+bool is_document(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && (text[first] == '{' || text[first] == '<');
+}
+
 /// `./` is how people and programs write "this folder"; messages are better off without it.
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() || folder == "." ? name : folder + "/" + name;
@@ -64,6 +70,17 @@ void use_line_feeds(std::string& text) {
   if (text.find('\n') == std::string::npos) {
     std::ranges::replace(text, '\r', '\n');
   }
+}
+
+/// Whether a file of this text has a program of this number.
+bool has_program(std::string text, int number) {
+  if (is_document(text)) {
+    return false;
+  }
+  use_line_feeds(text);
+  text = from_tape_code(std::move(text));
+  const auto has_number = [number](const syntax::Program& p) { return p.number == number; };
+  return writes_number(text, number) && std::ranges::any_of(parse(text).programs, has_number);
 }
 
 }  // namespace
@@ -278,8 +295,8 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int
     }
     // Looked into first: a file that does not have it is not read as a program.
     const auto bytes = files_.size(path);
-    const auto look = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
-    if (look && !writes_number(from_tape_code(*look), number)) {
+    auto look = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
+    if (look && !has_program(*std::move(look), number)) {
       continue;
     }
     File* const file = load(path);
