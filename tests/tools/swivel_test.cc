@@ -198,6 +198,41 @@ TEST(Swivel, StandsWhereTheSpecificationHasIt) {
   }
 }
 
+// Rotary values of a work offset turn no part: the tool is square to the plane at the same places.
+TEST(Swivel, StandsThereWhateverAWorkOffsetSaysOfRotaryAxes) {
+  for (const std::string mode : {"57,0,0,0,30,20,0", "192,0,0,0,25,-40,0"}) {
+    for (const std::string on : {"", "TRAORI\n"}) {
+      SCOPED_TRACE(on + mode);
+      const auto stand = [&](const std::string& offset) {
+        return run_on_sheets("T1 M6\n" + offset + "G54 D1\n" + on + "CYCLE800(0,\"\",0," + mode +
+                                 ",0,0,0,1)\nR1=$AA_IM[A] R2=$AA_IM[C]",
+                             {k1_sheet()}, {"R1", "R2"});
+      };
+      const MeasuringRun plain = stand("");
+      ASSERT_EQ(plain.alarm(), 0) << plain.output.errors;
+      const MeasuringRun shifted = stand("$P_UIFR[1,A,TR]=7 $P_UIFR[1,C,TR]=-11\n");
+      ASSERT_EQ(shifted.alarm(), 0) << shifted.output.errors;
+      expect_values(shifted, {{"R1", plain.at("R1")}, {"R2", plain.at("R2")}}, 1e-9);
+      EXPECT_GT(std::abs(plain.at("R1")) + std::abs(plain.at("R2")), 10.0);
+    }
+  }
+}
+
+// In both systems of inches the lengths of the call are those of the program.
+TEST(Swivel, TakesItsLengthsInInches) {
+  for (const auto& [code, unit] :
+       {std::pair("G71", 1.0), std::pair("G70", 25.4), std::pair("G700", 25.4)}) {
+    SCOPED_TRACE(code);
+    const MeasuringRun run =
+        run_on_sheets("T1 M6\nG54 D1\n" + std::string(code) +
+                          "\nCYCLE800(0,\"\",0,57,1,0,0,0,0,90,2,0,0,1)\nG71\nG0 X0 Y0 Z0\n"
+                          "R1=$AA_IW[X] R2=$P_WPFRAME[X,TR] R3=$P_WPFRAME[Y,TR]",
+                      {k1_sheet()}, {"R1", "R2", "R3"});
+    ASSERT_EQ(run.alarm(), 0) << run.output.errors;
+    expect_values(run, {{"R1", 0.0}, {"R2", unit}, {"R3", 2.0 * unit}}, 1e-9);
+  }
+}
+
 /// A call that raises an alarm: nothing has moved and no frame is written.
 void expect_refused(const std::string& sheet, const std::string& call, int alarm,
                     const std::string& before = {}) {

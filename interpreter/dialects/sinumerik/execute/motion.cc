@@ -76,6 +76,8 @@ Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
 
 }  // namespace
 
+/// Incremental words count from the end that was written last; where frames are suppressed, from
+/// where the axes stand.
 Result<double, Failure> programmed_place(const Channel& channel, int axis,
                                          const BlockWords::Word& word, double now) {
   const bool turns = word.modification == Modification::Direct ||
@@ -95,7 +97,7 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
     return modulo_place(channel, axis, {value, word.modification, true}, now);
   }
   return turns  ? rotary_end(now, value, word.modification)
-         : adds ? channel.programmed()[axis] + value
+         : adds ? (channel.suppression != 0 ? now : channel.programmed()[axis]) + value
                 : value;
 }
 

@@ -137,10 +137,16 @@ Frame Frame::inverse() const {
   return back;
 }
 
+/// Where Y is 90 or -90 only the sum of the other two shows: it is read as Z (function manual K2,
+/// 6FC5397-0BP10-0BA0, page 2-44).
 Eigen::Vector3d Frame::angles() const {
-  const double x = std::atan2(turn_(2, 1), turn_(2, 2));
-  const double y = std::atan2(-turn_(2, 0), std::hypot(turn_(0, 0), turn_(1, 0)));
-  const double z = std::atan2(turn_(1, 0), turn_(0, 0));
+  constexpr double kUpright = 1e-10;  // cosine of Y
+  const double cosine_y = std::hypot(turn_(0, 0), turn_(1, 0));
+  const double y = std::atan2(-turn_(2, 0), cosine_y);
+  const bool is_upright = cosine_y < kUpright;
+  const double x = is_upright ? 0.0 : std::atan2(turn_(2, 1), turn_(2, 2));
+  const double z = is_upright ? std::atan2(-turn_(0, 1), turn_(1, 1))
+                              : std::atan2(turn_(1, 0), turn_(0, 0));
   return Eigen::Vector3d(x, y, z) * (180.0 / std::numbers::pi);
 }
 
