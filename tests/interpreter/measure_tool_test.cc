@@ -36,6 +36,16 @@ TEST(MeasureTool, WearTakesWhatTheAxisStandsBeyondThePosition) {
   EXPECT_NEAR(run.value("#5063").value(), 0.0, 1e-9);
 }
 
+// One value: the difference goes onto the whole length.
+TEST(MeasureTool, OfMemoryAIsTheWholeLength) {
+  runtime::ControlSetup given = setup();
+  given.offset_memory = runtime::OffsetMemory::A;
+  given.tools[1] = {120.0, 0.0, 0.0, 0.0};
+  ControlRun run("fanuc-16i", "H1\nG37 Z-50.", given, signal_at(-51.5));
+  ASSERT_EQ(run.alarm(), 0);
+  EXPECT_NEAR(run.value("#2001").value(), 120.0 - 1.5, 1e-9);
+}
+
 TEST(MeasureTool, UpwardsAndAlongAnotherAxis) {
   AxisPositions q_M = AxisPositions::Zero();
   q_M[0] = 31.0;

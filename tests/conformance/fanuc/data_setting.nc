@@ -189,3 +189,33 @@ G10 L10 P1 R99999.
 M30
 %
 (EXPECT ALARM 32 AT 4)
+
+(CASE a work offset that the program writes is there, whatever the sheet has)
+(SHEET [work_offsets.G54])
+(SHEET X = 1.0)
+%
+O1
+#5241=7.
+G90 G55 G00 X0.
+#100=#5021
+#7001=9.
+G54.1 P1 X0.
+#101=#5021
+G10 L2 P3 X11.
+G56 X0.
+#102=#5021
+M30
+%
+(EXPECT #100 = 7)
+(EXPECT #101 = 9)
+(EXPECT #102 = 11)
+
+(CASE without a sheet G10 makes the others no less)
+%
+O1
+G10 L2 P1 X10.
+G90 G55 G00 X0.
+#100=#5021
+M30
+%
+(EXPECT #100 = 0)

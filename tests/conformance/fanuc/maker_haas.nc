@@ -675,3 +675,23 @@ DPRNT[A]
 M30
 %
 (EXPECT NO WARNING PRB308)
+
+(CASE P of G51 is the factor, with a point or without)
+%
+O1
+G90 G54 G00 X0. Y0.
+G51 X1. Y1. P2.
+X3.
+#100=#5021
+G50
+G51 X1. Y1. P3
+X3.
+#101=#5021
+G51 X1. Y1. P0.5
+X3.
+#102=#5021
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 7)
+(EXPECT #102 = 2)

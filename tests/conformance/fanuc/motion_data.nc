@@ -191,3 +191,25 @@ G51 X0 Y0 P2000
 M30
 %
 (EXPECT ALARM 141 AT 7)
+
+(CASE the centres of G68 and G51 are coordinates under G91, too)
+(SOURCE FANUC 30i B-63944EN, coordinate system rotation and scaling: absolute command)
+%
+O1
+G90 G54 G00 X10. Y10.
+G91 G68 X5. Y5. R90.
+G90 X6. Y5.
+#100=#5021
+#101=#5022
+G69
+X10. Y10.
+G91 G51 X1. Y2. P2000
+G90 X3. Y3.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 6)
+(EXPECT #102 = 5)
+(EXPECT #103 = 4)

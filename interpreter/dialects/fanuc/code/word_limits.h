@@ -79,7 +79,8 @@ inline constexpr double kThousandth = 0.001;
 /// Whether P, I, J or K of G51 is a factor, as some controls take it with a point; else it is in
 /// thousandths (MB-299).
 inline bool is_scale_factor(const EvaluatedWord& word, const Profile& profile) {
-  return word.form != syntax::ValueForm::Integer && profile.has_series_30i_functions;
+  return profile.scale_is_factor ||
+         (word.form != syntax::ValueForm::Integer && profile.has_series_30i_functions);
 }
 /// What it comes to.  @param by_axis  I, J or K: a factor below 0 mirrors
 MaybeWrong wrong_scale(double factor, bool by_axis);

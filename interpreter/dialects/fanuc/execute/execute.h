@@ -91,6 +91,8 @@ double axis_value(const Control& control, const EvaluatedWord& word, std::size_t
 
 /// The axis words of the block as they stand, absolute or incremental, on the present point (L).
 AxisPositions cartesian_end(const Control& control, const NcBlock& block);
+/// The same of words that are coordinates under G91, too: the centres of G51 and G68.
+AxisPositions named_point(const Control& control, const NcBlock& block);
 
 /// The end point of a motion (L): axis words, in polar coordinates where they are in force.  To be
 /// asked once a motion, because radius and angle go on from block to block.

@@ -99,7 +99,7 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
 }  // namespace
 
 /// G37: at rapid up to the approach distance, then at the measuring feed to the signal; what the
-/// axis stands beyond the programmed position is added to the wear of tool offset H.  #5061.. stay
+/// axis stands beyond the programmed position is added to the wear of tool offset H, with memory A to its one value.  #5061.. stay
 /// as they are (MB-282).  The offset in force changes with the next H, G43 or G44.
 MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
   if (control.profile.tool_measurement == ToolMeasurement::ToTravelEnd) {
@@ -135,8 +135,12 @@ MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
     return q_M_latched.error();
   }
   const double more = q_M_latched.value()[approach.axis] - approach.q_M_nominal[approach.axis];
-  const double wear = control.offsets.get(offset.value()).length_wear_mm + more;
-  control.offsets.set_field(offset.value(), &runtime::ToolEntry::length_wear_mm, wear);
+  // Memory A has one value, which is the whole length.
+  const runtime::ToolEntry entry = control.offsets.get(offset.value());
+  const bool has_wear = control.offsets.memory() != OffsetMemory::A;
+  const double length = has_wear ? 0.0 : entry.length_mm;
+  control.offsets.set_field(offset.value(), &runtime::ToolEntry::length_wear_mm,
+                            length + entry.length_wear_mm + more);
   return std::nullopt;
 }
 

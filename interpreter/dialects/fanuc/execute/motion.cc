@@ -39,16 +39,28 @@ double axis_value(const Control& control, const EvaluatedWord& word, std::size_t
                                                 : control.scale.angle_deg(word);
 }
 
-AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
+namespace {
+
+AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
   AxisPositions q_L_end = control.coordinates.programmed();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
       double& end = q_L_end[static_cast<Eigen::Index>(axis)];
       const double value = axis_value(control, *word, axis);
-      end = control.modal.incremental() ? end + value : value;
+      end = adds ? end + value : value;
     }
   }
   return q_L_end;
+}
+
+}  // namespace
+
+AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
+  return end_of(control, block, control.modal.incremental());
+}
+
+AxisPositions named_point(const Control& control, const NcBlock& block) {
+  return end_of(control, block, false);
 }
 
 AxisPositions programmed_end(Control& control, const NcBlock& block) {

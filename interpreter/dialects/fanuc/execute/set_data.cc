@@ -55,7 +55,7 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
       control.coordinates.set_system(which, index, before + value);
     }
   }
-  control.expected_systems.insert(which);
+  control.work_offset_given(which);
   return std::nullopt;
 }
 

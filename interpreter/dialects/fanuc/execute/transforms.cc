@@ -79,13 +79,14 @@ MaybeFailure execute_mirror_off(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
-/// G51: enlarges about X Y Z, by default the present point, by P or by I J K (MB-299).
+/// G51: enlarges about X Y Z, by default the present point, by P or by I J K (MB-299).  The point is
+/// absolute under G91, too, as that of G68 (FANUC 30i operator's manual B-63944EN, M700V 14.1).
 MaybeFailure execute_scaling(Control& control, const NcBlock& block) {
   const auto factors = scale_factors(control, block);
   if (!factors) {
     return factors.error();
   }
-  control.transforms.scaling = Scaling{linear_axes(cartesian_end(control, block)), factors.value()};
+  control.transforms.scaling = Scaling{linear_axes(named_point(control, block)), factors.value()};
   apply(control);
   return std::nullopt;
 }
@@ -101,7 +102,7 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
   const Plane plane = control.modal.plane();
   const Coordinates& coordinates = control.coordinates;
   const WorkTransform before = control.transforms.before_rotation();
-  const AxisPositions q_W_named = before.apply(cartesian_end(control, block));
+  const AxisPositions q_W_named = before.apply(named_point(control, block));
   const AxisPositions q_W_present = coordinates.transform().apply(coordinates.programmed());
   const auto centre_along = [&](int axis) {
     const bool named = block.words.has(kAxisLetters[static_cast<std::size_t>(axis)]);

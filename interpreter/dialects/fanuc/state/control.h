@@ -41,6 +41,12 @@ struct Control : ControlState {
   Evaluator evaluator;
   std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
   std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
+  /// The program writes a work offset: it is as good as one of the sheet's.
+  void work_offset_given(int system) {
+    if (!expected_systems.empty()) {
+      expected_systems.insert(system);
+    }
+  }
 
   runtime::PrinterPort* printer = nullptr;  ///< none: only the observer hears
   std::vector<runtime::SensorWord> sensor_words;

@@ -80,6 +80,7 @@ WriteResult write_work_offset(Control& control, const Place& place, Cell value) 
   }
   control.coordinates.set_system(offset->system, offset->axis,
                                  control.stored(offset->axis, value.or_zero()));
+  control.work_offset_given(offset->system);
   return std::nullopt;
 }
 

@@ -133,6 +133,7 @@ constexpr Profile haas() {
   profile.text = "Haas";
   profile.cycle_repeats = 'L';
   profile.bars_origins_in_rotation = false;
+  profile.scale_is_factor = true;  // mill operator's manual, G51: P2. and P2 are both twice
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;

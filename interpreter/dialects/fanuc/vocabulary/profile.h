@@ -163,6 +163,7 @@ struct Profile {
                               VariableGroup::LegacyOffsets, VariableGroup::LongOffsets,
                               VariableGroup::OffsetsC,      VariableGroup::ExternalOffset};
 
+  bool scale_is_factor = false;  ///< P of G51 is the factor, point or not; else thousandths of it
   /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
   bool bars_origins_in_rotation = true;
 
