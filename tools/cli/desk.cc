@@ -137,7 +137,7 @@ void Desk::touch(const runtime::TouchEvent& event) const {
   const std::string what = !event.triggered ? std::string("no touch")
                            : event.contact  ? fmt::format("touch on '{}'", event.contact->part)
                                             : std::string("touch");
-  say(fmt::format("{}{} at {} (machine {}), F{}\n", place(event.where), what,
+  say(fmt::format("{}{} at {} (machine {}), F{:.6g}\n", place(event.where), what,
                   shown_axes(event.view.q_L), shown_axes(event.q_M_latched), event.feed_mm_min));
 }
 
@@ -161,7 +161,7 @@ void Desk::tell(const report::RunResult& result, const report::RunRecorder& reco
     if (fault->move) {
       say(fmt::format(
           "      = G{}{} on the way to {} in those of the machine\n", fault->move->g,
-          fault->move->feed_mm_min > 0.0 ? fmt::format(" F{}", fault->move->feed_mm_min) : "",
+          fault->move->feed_mm_min > 0.0 ? fmt::format(" F{:.6g}", fault->move->feed_mm_min) : "",
           shown_axes(fault->move->q_M_to)));
     }
   }

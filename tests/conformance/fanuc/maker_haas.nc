@@ -695,3 +695,27 @@ M30
 (EXPECT #100 = 5)
 (EXPECT #101 = 7)
 (EXPECT #102 = 2)
+
+(CASE G73 with I J K: each cut is less by J, down to K)
+(SOURCE Haas mill operator's manual 96-8000, G73)
+(PARAMETER 5114 = 0.1)
+%
+O1
+G21 G90 G54 G00 X0. Y0. Z10.
+G99 G73 Z-1. R1. I0.8 J0.3 K0.4 F100.
+G80
+M30
+%
+(EXPECT MOVE 3 X0 Y0 Z0.2)
+(EXPECT MOVE 5 X0 Y0 Z-0.3)
+(EXPECT MOVE 7 X0 Y0 Z-0.7)
+(EXPECT MOVE 9 X0 Y0 Z-1)
+
+(CASE G83 with J and no K would come to nothing)
+%
+O1
+G21 G90 G54 G00 Z10.
+G83 Z-9. R1. I1. J0.6 F100.
+M30
+%
+(EXPECT ALARM 45)

@@ -210,3 +210,21 @@ M30
 (EXPECT #101 = 3)
 (EXPECT #102 = 55)
 (EXPECT #103 = 0)
+
+(CASE #4000 is the number of the main program, wherever it is read)
+(CONTROL fanuc-30i)
+%
+O7
+#100=#4000
+M98 P8
+#102=[#_MAINO]
+M30
+O8
+#101=#4000
+#103=#4115
+M99
+%
+(EXPECT #100 = 7)
+(EXPECT #101 = 7)
+(EXPECT #102 = 7)
+(EXPECT #103 = 8)

@@ -104,15 +104,19 @@ MaybeFailure Hole::feed_in() {
 
 MaybeFailure Hole::peck() {
   const double sign = data_.bottom < data_.r ? -1.0 : 1.0;
-  const double cut = unscaled(data_.q);
+  const ShrinkingPeck cuts = data_.shrinking.value_or(ShrinkingPeck{data_.q, 0.0, data_.q});
+  const double least = unscaled(cuts.less > 0.0 ? std::min(cuts.least, cuts.first) : cuts.first);
   const double depth = std::abs(data_.bottom - data_.r);
-  if (cut == 0.0 || depth > cut * kMostPecks) {
-    return block_failure(AlarmId::CycleWithoutDepth,
-                         fmt::format("Q is {} for a depth of {}", data_.q, depth));
+  if (least == 0.0 || depth > least * kMostPecks) {
+    return block_failure(
+        AlarmId::CycleWithoutDepth,
+        fmt::format("{} is {} for a depth of {}", data_.shrinking ? "I or K" : "Q", least, depth));
   }
   double done = 0.0;
+  double cut = unscaled(cuts.first);
   while (true) {
     const double next = done + cut;
+    cut = std::max(cut - unscaled(cuts.less), least);
     const bool last = next >= depth;
     if (auto failure = feed(last ? data_.bottom : data_.r + sign * next)) {
       return failure;
@@ -207,6 +211,14 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
   }
   if (const EvaluatedWord* const q = block.words.find('Q')) {
     data.q = std::abs(control.scale.length_mm(*q));
+    data.shrinking.reset();
+  }
+  if (control.profile.pecks_shrink && block.words.has('I')) {
+    const auto length = [&](char address) {
+      const EvaluatedWord* const word = block.words.find(address);
+      return word != nullptr ? std::abs(control.scale.length_mm(*word)) : 0.0;
+    };
+    data.shrinking = ShrinkingPeck{length('I'), length('J'), length('K')};
   }
   if (const EvaluatedWord* const p = block.words.find('P')) {
     const auto seconds = dwell_seconds(control, *p);
@@ -279,7 +291,8 @@ bool names_a_place(const NcBlock& block, const Plane& plane) {
 void start_canned_cycle(Control& control) {
   const Plane plane = cycle_plane(control);
   const double level = control.coordinates.programmed()[plane.across];
-  control.cycle = {level, level, level, 0.0, 0.0, false};
+  control.cycle = {};
+  control.cycle.initial = control.cycle.r = control.cycle.bottom = level;
 }
 
 /// G73 to G89: a hole at each place that the block names; a block without axes makes none (MB-306

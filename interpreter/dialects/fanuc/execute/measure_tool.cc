@@ -99,8 +99,9 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
 }  // namespace
 
 /// G37: at rapid up to the approach distance, then at the measuring feed to the signal; what the
-/// axis stands beyond the programmed position is added to the wear of tool offset H, with memory A to its one value.  #5061.. stay
-/// as they are (MB-282).  The offset in force changes with the next H, G43 or G44.
+/// axis stands beyond the programmed position is added to the wear of tool offset H, with memory A
+/// to its one value.  #5061.. stay as they are (MB-282).  The offset in force changes with the next
+/// H, G43 or G44.
 MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
   if (control.profile.tool_measurement == ToolMeasurement::ToTravelEnd) {
     return execute_tool_touch(control, block);

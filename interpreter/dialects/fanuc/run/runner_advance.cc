@@ -63,6 +63,7 @@ bool Runner::refuse_broken(const CompiledProgram& main) {
 
 void Runner::start(const CompiledProgram& main) {
   stack_.start(main);
+  control_.main_program = main.number;
   control_.modal.word('O') = main.number;
   if (main.number != 0 && main.extent == Extent::Whole) {
     programs_.find(main.number);  // a second one of its number is told

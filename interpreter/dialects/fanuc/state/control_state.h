@@ -112,6 +112,7 @@ struct ControlState {
   Variables variables;
   runtime::TouchReports touches;  ///< of G31
   Modal modal;
+  int main_program = 0;  ///< its number
   Coordinates coordinates;
   CutterStage cutter;
   OffsetTable offsets;

@@ -83,6 +83,7 @@ ReadResult read_tool_datum(Control& control, const Place& place);
 WriteResult write_nothing(Control& control, const Place& place, Cell value);
 
 // modal.cc
+ReadResult read_main_program(Control& control, const Place& place);
 ReadResult read_modal_group(Control& control, const Place& place);
 ReadResult read_modal_word(Control& control, const Place& place);
 ReadResult read_last_argument(Control& control, const Place& place);

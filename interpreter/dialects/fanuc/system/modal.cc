@@ -18,6 +18,10 @@ constexpr int kAdditionalSystem = 30;
 
 }  // namespace
 
+ReadResult read_main_program(Control& control, const Place& /*place*/) {
+  return Cell(control.main_program);
+}
+
 ReadResult read_modal_group(Control& control, const Place& place) {
   const auto shown = static_cast<std::size_t>(place.index() + 1);
   const std::size_t group = control.profile.modal_layout.at(shown);

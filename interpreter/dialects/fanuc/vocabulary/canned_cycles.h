@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace g31::fanuc {
 
@@ -21,15 +22,26 @@ struct CannedCycle {
 /// The row of a code, or nullptr: G80 and every other code.
 const CannedCycle* find_canned_cycle(int code);
 
+/// I, J and K of a peck of a Haas: the first cut, how much less each next one is, and the least.
+/// mm, not below 0.
+struct ShrinkingPeck {
+  double first = 0.0;
+  double less = 0.0;
+  double least = 0.0;
+
+  bool operator==(const ShrinkingPeck&) const = default;
+};
+
 /// What a canned cycle keeps from block to block, until G80 or a code of group 01 (MB-306, MB-313).
 /// Levels are coordinates along the drilling axis as programmed, mm.
 struct CycleData {
   double initial = 0.0;  ///< where the axis stood before the first cycle: what G98 returns to
   double r = 0.0;
   double bottom = 0.0;
-  double q = 0.0;          ///< mm, >= 0: depth of a peck, or the shift
-  double dwell_s = 0.0;    ///< P
-  bool has_begun = false;  ///< its first block has run
+  double q = 0.0;                          ///< mm, >= 0: depth of a peck, or the shift
+  std::optional<ShrinkingPeck> shrinking;  ///< in the place of Q
+  double dwell_s = 0.0;                    ///< P
+  bool has_begun = false;                  ///< its first block has run
 
   bool operator==(const CycleData&) const = default;
 };

@@ -132,6 +132,7 @@ constexpr Profile haas() {
   profile.name = "haas";
   profile.text = "Haas";
   profile.cycle_repeats = 'L';
+  profile.pecks_shrink = true;  // mill operator's manual 96-8000, G73 and G83
   profile.bars_origins_in_rotation = false;
   profile.scale_is_factor = true;  // mill operator's manual, G51: P2. and P2 are both twice
   profile.largest_result = std::numeric_limits<double>::max();

@@ -172,6 +172,7 @@ struct Profile {
   // Offsets and canned cycles
   double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
+  bool pecks_shrink = false;        ///< G73 and G83 take I J K in the place of Q
 
   // Tool length and the machine's own positions
   MachineMoveLength machine_move_length = MachineMoveLength::Cancels;

@@ -145,8 +145,8 @@ Eigen::Vector3d Frame::angles() const {
   const double y = std::atan2(-turn_(2, 0), cosine_y);
   const bool is_upright = cosine_y < kUpright;
   const double x = is_upright ? 0.0 : std::atan2(turn_(2, 1), turn_(2, 2));
-  const double z = is_upright ? std::atan2(-turn_(0, 1), turn_(1, 1))
-                              : std::atan2(turn_(1, 0), turn_(0, 0));
+  const double z =
+      is_upright ? std::atan2(-turn_(0, 1), turn_(1, 1)) : std::atan2(turn_(1, 0), turn_(0, 0));
   return Eigen::Vector3d(x, y, z) * (180.0 / std::numbers::pi);
 }
 
