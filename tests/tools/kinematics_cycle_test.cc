@@ -60,6 +60,15 @@ TEST(Kinematics, AreTheSameWhenTheyAreMeasuredAgain) {
   }
 }
 
+// The cycle turns axes in machine positions, whatever a work offset says of them.
+TEST(Kinematics, AreTheSameWithRotaryValuesOfAWorkOffset) {
+  const MisbelievedMachine machine = misbelieved_machines().front();
+  expect_vectors(run_on_sheets("$P_UIFR[1,A,TR]=0.2 $P_UIFR[1,C,TR]=30\n" +
+                                   over_the_ball(machine.settings + "\n" + measure(machine, 11400)),
+                               kinematics_sheets(machine), results()),
+                 machine.vectors);
+}
+
 TEST(Kinematics, StayAsTheyAreEnteredWhereOnlyMeasured) {
   for (const MisbelievedMachine& machine : some_of(misbelieved_machines())) {
     SCOPED_TRACE(machine.name);
