@@ -80,7 +80,7 @@ MaybeFailure execute_mirror_off(Control& control, const NcBlock& block) {
 }
 
 /// G51: enlarges about X Y Z, by default the present point, by P or by I J K (MB-299).  The point
-/// is absolute under G91, too, as that of G68 (FANUC 30i operator's manual B-63944EN, M700V 14.1).
+/// is absolute under G91, too, as that of G68 (FANUC 30i operator's manual B-63944EN, M700V 13.21).
 MaybeFailure execute_scaling(Control& control, const NcBlock& block) {
   const auto factors = scale_factors(control, block);
   if (!factors) {
