@@ -68,13 +68,19 @@ TEST(EvaluateStraightness, TellsMotionAndWorkApartInBothSenses) {
   }
 }
 
-TEST(EvaluateStraightness, WritesTheCompensation) {
-  TemporaryFolder folder;
+/// Of a file in um, written to bed.toml.
+cli::EvaluateOptions compensated(const TemporaryFolder& folder, const std::string& from) {
   cli::EvaluateOptions options = of_readings("straightness");
   options.unit = "um";
   options.given[OptionId::Compensation] = folder.path("bed.toml");
+  options.given[OptionId::From] = from;
+  return options;
+}
+
+TEST(EvaluateStraightness, WritesTheCompensation) {
+  TemporaryFolder folder;
+  cli::EvaluateOptions options = compensated(folder, "2400");
   options.given[OptionId::Error] = "EZX";
-  options.given[OptionId::From] = "2400";
   EXPECT_EQ(evaluate_text("A,B\n0,1\n0,-1\n0,0\n", options).exit_code, 0);
   // X* = 0, 1, 0: no slope; the motion goes to +1 um in the middle.
   EXPECT_EQ(testing::text_of(folder.path("bed.toml")),
@@ -86,10 +92,7 @@ TEST(EvaluateStraightness, WritesTheCompensation) {
 // At row K the first sensor stands at place K: the file may begin anywhere.
 TEST(EvaluateStraightness, PlacesAreThoseOfK) {
   TemporaryFolder folder;
-  cli::EvaluateOptions options = of_readings("straightness");
-  options.unit = "um";
-  options.given[OptionId::Compensation] = folder.path("bed.toml");
-  options.given[OptionId::From] = "50";
+  const cli::EvaluateOptions options = compensated(folder, "50");
   const EvaluateOutput output = evaluate_text("K,A,B\n5,0,1\n6,0,-1\n7,0,0\n", options);
   EXPECT_EQ(output.exit_code, 0) << output.errors;
   const std::string sheet = testing::text_of(folder.path("bed.toml"));

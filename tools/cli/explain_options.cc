@@ -12,11 +12,11 @@ namespace {
 
 /// --json alone is followed by topics, so its file behind it is known by its ending, which no topic
 /// has.
-void take_file_of_json(ExplainOptions& options, bool wants_document) {
+void take_file_of_json(ExplainOptions& options) {
   const auto file = std::ranges::find_if(options.topics, [](const std::string& word) {
     return word == "-" || word.ends_with(".json");
   });
-  if (wants_document && options.json == "-" && file != options.topics.end()) {
+  if (options.json == "-" && file != options.topics.end()) {
     options.json = *file;
     options.topics.erase(file);
   }
@@ -29,7 +29,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
       "explain",
       "Say what a variable, code, alarm, parameter, function, statement, key of a set-up sheet, "
       "shape, control, message or exit code means; other words are looked for in all texts.");
-  auto* const topics = explain->add_option(
+  explain->add_option(
       "TOPIC", options.topics,
       "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of a SINUMERIK "
       "$AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, PRB301, SET103, 'exit 4'; "
@@ -38,7 +38,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   explain->add_flag("--search", options.search,
                     "list what has the words in its text, also where something is named so");
   add_control_option(*explain, options.control, "control profile (default fanuc-16i)");
-  auto* const json = explain->add_flag(
+  explain->add_flag(
       "--json{-}", options.json,
       "document g31.explain/1, to FILE behind it where that ends in .json, or by --json=FILE; "
       "else, and with -, to standard output");
@@ -47,10 +47,9 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
                           "print a page of docs as the tables make it: set-up-sheet.md, "
                           "codes.md, reference/cycles.md, ...; of an unknown name all are listed");
   page->type_name("NAME");
-  explain->callback([&options, topics, all, page, json] {
-    take_file_of_json(options, json->count() > 0);
-    const bool has_topic = !options.topics.empty();
-    if (!has_topic && all->empty() && page->empty()) {
+  explain->callback([&options, all, page] {
+    take_file_of_json(options);
+    if (options.topics.empty() && all->empty() && page->empty()) {
       throw CLI::RequiredError("TOPIC, --all or --page");
     }
   });

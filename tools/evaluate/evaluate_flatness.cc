@@ -46,7 +46,7 @@ Result<Points, DataError> read_lines(const DataFile& file, const Request& reques
     const auto shapes = metrology::separate_two_points(line.rows.a, line.rows.b);
     for (Eigen::Index k = 0; k < steps; ++k) {
       const double work = shapes.work[static_cast<std::size_t>(k)];
-      points.row(next++) << line.rows.place(static_cast<std::size_t>(k), *request.step), line.key,
+      points.row(next++) << (line.rows.first + static_cast<double>(k)) * *request.step, line.key,
           work + line.rows.a.front() - level;
     }
   }

@@ -14,11 +14,12 @@ namespace {
 
 using metrology::SeparatedShapes;
 
-/// @param from  the place of K = 0
-std::vector<double> places_of(const SensorRows& rows, double step, double from) {
+/// @param first  K of the first of them
+/// @param from   the place of K = 0
+std::vector<double> places_of(double first, std::size_t count, double step, double from) {
   std::vector<double> places;
-  for (std::size_t row = 0; row < rows.a.size(); ++row) {
-    places.push_back(from + rows.place(row, step));
+  for (std::size_t row = 0; row < count; ++row) {
+    places.push_back(from + (first + static_cast<double>(row)) * step);
   }
   return places;
 }
@@ -76,7 +77,7 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   const SensorRows& rows = read.value();
   const SeparatedShapes shapes = metrology::separate_two_points(rows.a, rows.b);
   const double from = request.from.value_or(0.0);
-  const std::vector<double> places = places_of(rows, *request.step, from);
+  const std::vector<double> places = places_of(rows.first, rows.a.size(), *request.step, from);
   if (!(std::abs(places.front()) <= kLargestLength && std::abs(places.back()) <= kLargestLength)) {
     return data_error(
         DataErrorId::CannotEvaluate, file, {},
@@ -88,7 +89,7 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   evaluation.samples = rows.a.size();
   add_offsets(rows, shapes, request, evaluation);
   // Where the first place lies is nothing to the zones: beside a large one small steps are lost.
-  const std::vector<double> along = places_of({0.0, rows.a, {}, {}}, *request.step, 0.0);
+  const std::vector<double> along = places_of(0.0, rows.a.size(), *request.step, 0.0);
   add_zones("motion_straightness", along, shapes.motion, file.watch, evaluation.results);
   add_zones("work_straightness", along, shapes.work, file.watch, evaluation.results);
   const std::size_t n = rows.a.size() - 1;

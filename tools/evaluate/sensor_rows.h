@@ -15,11 +15,6 @@ struct SensorRows {
   std::vector<double> a;
   std::vector<double> b;
   std::vector<double> c;  ///< empty without a third sensor
-
-  /// Where the first sensor stands at a row of these, from K = 0.
-  [[nodiscard]] double place(std::size_t row, double step) const {
-    return (first + static_cast<double>(row)) * step;
-  }
 };
 
 /// Readings that belong together: those of one angle or of one line across a plane.

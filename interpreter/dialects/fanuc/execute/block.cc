@@ -26,12 +26,6 @@ namespace {
   }
 }
 
-/// G27 to G30 have no place between holes (MB-312).
-bool is_barred_in_cycle(GAction action) {
-  return action == GAction::CheckReference || action == GAction::ToReference ||
-         action == GAction::FromReference;
-}
-
 /// G22 with limits: the control would watch them, nothing here does.
 MaybeFailure execute_stroke_check(Control& control, const NcBlock& block) {
   if (block.has_axis_word) {
@@ -100,7 +94,8 @@ consteval bool is_done(Group group, GAction action) {
 #undef G_CODE_OF
 
 MaybeFailure execute_action(Control& control, const NcBlock& block) {
-  if (in_canned_cycle(control) && is_barred_in_cycle(block.code->action)) {
+  // G27 to G30 have no place between holes (MB-312).
+  if (in_canned_cycle(control) && is_of_reference_point(block.code->action)) {
     return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));
   }
   if (is_fence(*block.code, control.profile)) {

@@ -32,15 +32,7 @@ void take_polar_words(Control& control, const NcBlock& block, AxisPositions& q_L
   q_L_end[plane.second] = p_L.y();
 }
 
-}  // namespace
-
-double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
-  return is_linear_axis(static_cast<int>(axis)) ? control.scale.length_mm(word)
-                                                : control.scale.angle_deg(word);
-}
-
-namespace {
-
+/// Axis words of the block on the present point (L).
 AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
   AxisPositions q_L_end = control.coordinates.programmed();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -54,6 +46,11 @@ AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
 }
 
 }  // namespace
+
+double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
+  return is_linear_axis(static_cast<int>(axis)) ? control.scale.length_mm(word)
+                                                : control.scale.angle_deg(word);
+}
 
 AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
   return end_of(control, block, control.modal.incremental());

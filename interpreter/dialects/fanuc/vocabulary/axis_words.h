@@ -26,23 +26,29 @@ constexpr bool leaves_words(GAction action) {
          action == GAction::NoEffect;
 }
 
+/// G27 to G30.
+constexpr bool is_of_reference_point(GAction action) {
+  return action == GAction::CheckReference || action == GAction::ToReference ||
+         action == GAction::FromReference;
+}
+
+/// Whether a code of one block gives the work coordinates another origin.
+constexpr bool shifts_origin(GAction action) {
+  return action == GAction::SetPosition || action == GAction::PresetSystem ||
+         action == GAction::LocalShift;
+}
+
 /// Whether a code has no place in a tilted plane (G68.2).
 constexpr bool is_barred_in_plane(GAction action) {
-  return action == GAction::WorkOffset || action == GAction::SetPosition ||
-         action == GAction::PresetSystem || action == GAction::LocalShift ||
-         action == GAction::CheckReference || action == GAction::ToReference ||
-         action == GAction::FromReference || action == GAction::MeasureTool ||
-         action == GAction::MeasureDiameter || action == GAction::MeasureWork ||
-         action == GAction::MeasureCentre || action == GAction::Mirror ||
-         action == GAction::Scaling || action == GAction::Rotation;
+  return action == GAction::WorkOffset || shifts_origin(action) || is_of_reference_point(action) ||
+         action == GAction::MeasureTool || action == GAction::MeasureDiameter ||
+         action == GAction::MeasureWork || action == GAction::MeasureCentre ||
+         action == GAction::Mirror || action == GAction::Scaling || action == GAction::Rotation;
 }
 
 /// Whether a code of one block has no place in coordinates that G68 turns.
 constexpr bool is_barred_in_rotation(GAction action) {
-  return action == GAction::SetPosition || action == GAction::PresetSystem ||
-         action == GAction::LocalShift || action == GAction::MachineMove ||
-         action == GAction::CheckReference || action == GAction::ToReference ||
-         action == GAction::FromReference;
+  return action == GAction::MachineMove || shifts_origin(action) || is_of_reference_point(action);
 }
 
 /// Whether a code has no place under tool centre point control (G43.4).
