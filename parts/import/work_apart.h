@@ -18,7 +18,8 @@ struct WorkApart {
 inline constexpr int kMostSecondsApart = 300;
 
 /// Does work in a copy of this process, so that a library that breaks off at a file takes nothing
-/// else with it.  What it prints is thrown away.
+/// else with it.  What it prints is thrown away.  Under the sanitizers, a process with several
+/// threads does the work itself.
 /// @param goes_on  asked ten times a second
 /// @throws BrokenOff  when the process that does the work is killed
 WorkApart done_apart(const std::function<std::string()>& work, const GoesOn& goes_on = {});

@@ -2,9 +2,12 @@
 
 #include "parts/import/work_apart.h"
 
+#include <atomic>
 #include <csignal>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -45,6 +48,50 @@ TEST(WorkApart, ThatThrowsBreaksOff) {
 TEST(WorkApart, NamesTheExitCodeOfALibraryThatLeaves) {
   const WorkApart done = done_apart([]() -> std::string { ::_exit(1); });
   EXPECT_EQ(done.why_not, "its process ends with exit code 1");
+}
+
+/// Threads that take and leave memory all the time.
+class BusyThreads {
+ public:
+  BusyThreads() {
+    for (unsigned size = 1; size <= 4; ++size) {
+      threads_.emplace_back([this, size] {
+        while (!ended_) {
+          std::vector<std::string> taken;
+          for (unsigned i = 0; i < 100; ++i) {
+            taken.emplace_back(size * 40 + i, 'x');
+          }
+        }
+      });
+    }
+  }
+  BusyThreads(const BusyThreads&) = delete;
+  BusyThreads& operator=(const BusyThreads&) = delete;
+  ~BusyThreads() {
+    ended_ = true;
+    for (std::thread& thread : threads_) {
+      thread.join();
+    }
+  }
+
+ private:
+  std::atomic<bool> ended_ = false;
+  std::vector<std::thread> threads_;
+};
+
+TEST(WorkApart, IsDoneBesideThreadsThatTakeMemory) {
+  const BusyThreads busy;
+  for (int i = 0; i < 200; ++i) {
+    const WorkApart done = done_apart([] {
+      std::string bytes;
+      for (std::size_t size = 1; size < 2000; size += 10) {
+        bytes += std::string(size, 'y').back();
+      }
+      return bytes;
+    });
+    ASSERT_EQ(done.why_not, "") << i;
+    ASSERT_EQ(done.bytes, std::string(200, 'y'));
+  }
 }
 
 TEST(ByteStream, ReadsWhatItWrote) {
