@@ -74,9 +74,10 @@ struct Fault {
     Target,        ///< the block or the label that it jumps to is not there
     End,           ///< nothing stands behind the last block, and nothing ended the program
     NotSimulated,  ///< g31 does not run this yet; a control does
+    Comparison,    ///< no fault of the block: it compares otherwise than it looks
   };
   Kind kind = Kind::Block;
-  int alarm = 0;  ///< its number on the control
+  int alarm = 0;  ///< its number on the control; 0: none
   syntax::ShortSpan where;
   std::string message;  ///< text of the alarm and what it is about
   std::string remedy;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/analysis/flow_builder.h"
+#include "interpreter/analysis/mixed_comparisons.h"
 #include "interpreter/analysis/sinumerik_accesses.h"
 #include "interpreter/analysis/sinumerik_moves.h"
 #include "interpreter/analysis/sinumerik_words.h"
@@ -73,6 +74,7 @@ class SinumerikTranslation {
   void stop(AlarmId id, syntax::ShortSpan where, const std::string& detail);
   void stop_for_constant(StepIndex step);
   void close_parts();
+  void tell_mixed_comparisons();
   void add_edge(Draft& draft, Edge edge);
   std::map<BlockIndex, std::vector<std::string>> label_names() const;
   [[nodiscard]] bool writes_files() const;
@@ -210,6 +212,15 @@ void SinumerikTranslation::stop(AlarmId id, syntax::ShortSpan where, const std::
 void SinumerikTranslation::stop_for_constant(StepIndex step) {
   const sinumerik::WrongValue& wrong = wrong_.at(step);
   stop(wrong.id, span(step), wrong.detail);
+}
+
+void SinumerikTranslation::tell_mixed_comparisons() {
+  for (const StepIndex step : mixed_comparisons(program_)) {
+    drafts_[block_of(step)].faults.push_back(
+        {Fault::Kind::Comparison, 0, span(step),
+         "AND, OR and XOR bind closer than these comparisons",
+         "put each comparison in brackets: (R1 == 0) AND (R2 == 0)"});
+  }
 }
 
 void SinumerikTranslation::jump_if_not(StepIndex step) {
@@ -373,6 +384,7 @@ Flow SinumerikTranslation::run() {
     follow_block(i);
   }
   close_parts();
+  tell_mixed_comparisons();
   const auto names = label_names();
   const SinumerikAccesses accesses(program_);
   FlowBuilder builder(program_.name, *program_.file);

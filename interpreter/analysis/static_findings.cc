@@ -23,6 +23,8 @@ RuleId rule_of(Fault::Kind kind) {
       return RuleId::NoProgramEnd;
     case Fault::Kind::NotSimulated:
       return RuleId::NotSimulated;
+    case Fault::Kind::Comparison:
+      return RuleId::MixedComparison;
   }
   return RuleId::WrongBlock;
 }
@@ -80,8 +82,9 @@ class Findings {
   }
 
   void add(const Flow& flow, const Fault& fault, RuleId rule, bool is_reached) {
-    // What g31 lacks is no mistake of the program, wherever it stands.
-    if (!is_reached && rule != RuleId::NotSimulated) {
+    // What g31 lacks is no mistake of the program, wherever it stands; no control refuses a doubt.
+    const bool is_refused = rule != RuleId::NotSimulated && rule != RuleId::MixedComparison;
+    if (!is_reached && is_refused) {
       rule = RuleId::UnreachedFault;
     }
     std::optional<Fix> fix;

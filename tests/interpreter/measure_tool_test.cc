@@ -56,10 +56,10 @@ TEST(MeasureTool, UpwardsAndAlongAnotherAxis) {
 }
 
 TEST(MeasureTool, PositionIsThatOfTheWorkSystemWithTheOffsetInForce) {
-  // Z of the machine at the position: -50 + 10 of G54 + 120.25 of H1.
+  // Z of the machine at the position: -50 + 10 of G54 + 120.25 of H1; G43 has moved it above that.
   ControlRun run("fanuc-16i", "G10 L2 P1 Z10.\nG43 H1\nG37 Z-50.", setup(), signal_at(80.75));
   ASSERT_EQ(run.alarm(), 0);
-  EXPECT_EQ(run.machine().log().back(), "skip 0.000 0.000 82.250 F80");
+  EXPECT_EQ(run.machine().log().back(), "skip 0.000 0.000 78.250 F80");
   EXPECT_NEAR(run.value("#10001").value(), 0.25 + 0.5, 1e-9);
 }
 

@@ -206,9 +206,20 @@ TEST(Coordinates, AreShiftedByTheirCodes) {
        "G10L2P0X1.\nG10L2P3X2.\nG56G0X0",
        {"move 3.000 0.000 0.000 rapid"}},
       {"G44 subtracts", "#11002=30.\nG44H2G0Z100.", {"move 0.000 0.000 70.000 rapid"}},
-      {"G49 moves with the next motion",
-       "#11002=30.\nG43H2G0Z10.\nG49\nZ10.",
-       {"move 0.000 0.000 40.000 rapid", "move 0.000 0.000 10.000 rapid"}},
+      {"G49 alone moves down by the length",
+       "#11002=30.\nG43H2G0Z10.\nG49\nX5.",
+       {"move 0.000 0.000 40.000 rapid", "move 0.000 0.000 10.000 rapid",
+        "move 5.000 0.000 10.000 rapid"}},
+      {"G43 alone and another H move by the change, at the feed under G1",
+       "#11001=20.\n#11002=30.\nG43H1\nG1F50\nH2",
+       {"move 0.000 0.000 20.000 rapid", "move 0.000 0.000 30.000 F50"}},
+      {"the same H again moves nothing",
+       "#11002=30.\nG43H2\nG43H2\nH2",
+       {"move 0.000 0.000 30.000 rapid"}},
+      {"beside a code of its own it waits for the next move",
+       "#11002=30.\nG43H2G4P10\nX1.",
+       {"dwell 0.01", "move 1.000 0.000 30.000 rapid"}},
+      {"along an arc, too", "#11002=30.\nG2F50\nG43H2\nG0X1.", {"move 1.000 0.000 30.000 rapid"}},
   };
   expect_logs(kCases);
 }

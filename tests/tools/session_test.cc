@@ -239,6 +239,14 @@ TEST(Session, RefusalsSayWhatIsWrongAndWhere) {
   EXPECT_EQ(unknown.error().ending, Ending::Setup);
   EXPECT_NE(unknown.error().message.find("did you mean 'fanuc-30i'"), std::string::npos);
 
+  request.control = "";
+  request.setups = {folder.write("profile.toml", "[control]\nprofile = \"fanuc-30j\"\n")};
+  const auto in_sheet = prepare(request, disk);
+  ASSERT_FALSE(in_sheet.ok());
+  EXPECT_EQ(in_sheet.error().ending, Ending::Setup);
+  ASSERT_EQ(in_sheet.error().sheet_errors.size(), 1U);
+  EXPECT_EQ(in_sheet.error().sheet_errors.front().line, 2);
+
   request.control = "fanuc-30i";
   request.setups = {folder.write("sheet.toml", "[probe]\nball_diametre = 6.0\n")};
   const auto sheet = prepare(request, disk);

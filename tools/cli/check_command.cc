@@ -24,6 +24,7 @@
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
 #include "tools/session/load_programs.h"
+#include "tools/session/prepare.h"
 #include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
@@ -155,14 +156,11 @@ Result<check::Request, session::Refusal> request_of(const CheckOptions& options)
   }
   check::Request request;
   request.setup = job.value().control;
-  const std::string& name = options.control.empty() ? request.setup.profile : options.control;
-  if (!name.empty()) {
-    const auto control = session::control_named(name);
-    if (!control) {
-      return session::bad_setup(control.error());
-    }
-    request.control = control.value();
+  const auto control = session::named_control(options.control, job.value());
+  if (!control) {
+    return control.error();
   }
+  request.control = control.value();
   request.paths = check::program_paths(options.files);
   request.libraries = options.libraries;
   return request;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/contract.h"
 #include "tools/disk/shipped.h"
 #include "tools/disk/waiting.h"
 #include "tools/session/variables_file.h"
@@ -14,12 +15,34 @@
 
 namespace g31::session {
 
+Result<std::optional<Control>, Refusal> named_control(const std::string& name,
+                                                      const setup::Job& job) {
+  const std::string& of_sheets = job.control.profile;
+  if (name.empty() && of_sheets.empty()) {
+    return std::optional<Control>();
+  }
+  const auto control = control_named(name.empty() ? of_sheets : name);
+  if (control) {
+    return std::optional(control.value());
+  }
+  if (!name.empty()) {
+    return bad_setup(control.error());
+  }
+  const auto place = job.places.find("control.profile");
+  G31_EXPECTS(place != job.places.end());
+  return Refusal{Ending::Setup,
+                 {},
+                 {error_at(place->second, setup::SetupErrorId::UnknownControl, {control.error()})}};
+}
+
 Result<Control, Refusal> chosen_control(const Request& request, const setup::Job& job,
                                         source::FileSystem& files) {
-  const std::string& name = !request.control.empty() ? request.control : job.control.profile;
-  if (!name.empty()) {
-    const auto control = control_named(name);
-    return control ? Result<Control, Refusal>(control.value()) : bad_setup(control.error());
+  const auto named = named_control(request.control, job);
+  if (!named) {
+    return named.error();
+  }
+  if (named.value()) {
+    return *named.value();
   }
   if (request.programs.empty()) {
     return default_control();

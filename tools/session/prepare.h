@@ -44,6 +44,11 @@ enum class VariablesFile {
 Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files,
                                   VariablesFile variables = VariablesFile::IsRead);
 
+/// @param name  of the command line; empty: as the sheets say
+/// @return nullopt: they do not say
+Result<std::optional<Control>, Refusal> named_control(const std::string& name,
+                                                      const setup::Job& job);
+
 /// The control by the request, the sheets, the program's file ending or its text, in this order.
 Result<Control, Refusal> chosen_control(const Request& request, const setup::Job& job,
                                         source::FileSystem& files);

@@ -288,7 +288,8 @@ void keep_places(Job& job, SectionId section, const std::string& name, const She
   }
   const bool is_data = section == SectionId::MachineData || section == SectionId::UserData;
   if (is_data || section == SectionId::Variables || section == SectionId::Parameters ||
-      section == SectionId::MacroCalls || section == SectionId::Start) {
+      section == SectionId::MacroCalls || section == SectionId::Start ||
+      section == SectionId::Control) {
     const std::string_view above = is_data ? "data" : row_of(section).path;
     for (const auto& [key, entry] : table.entries) {
       job.places.emplace(fmt::format("{}.{}", above, key), place_of(entry.where));

@@ -113,3 +113,21 @@ M30
 %
 (EXPECT #100 = 300)
 (EXPECT MOVE 2 X50 Z300)
+
+(CASE MB-296 G43 alone moves the axis up by the length, G49 alone down again)
+(SOURCE 30i connection manual B-63943EN-1/02, 12.5.2: only with shifted coordinates, 5006.6, no axis moves; so has a manual of XGT-CNC, 9.5.16 caution 3)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i brother meldas mazatrol-iso)
+(START Z = 300)
+%
+O1
+G90 G0
+G43 H1
+#100=#5003
+G49
+G0 X10.
+M30
+%
+(EXPECT MOVE 1 Z400)
+(EXPECT MOVE 2 Z300)
+(EXPECT MOVE 3 X10 Z300)
+(EXPECT #100 = 300)

@@ -110,17 +110,19 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
 
 constexpr std::uint32_t kAxisWords = letters_of({kAxisLetters, kAxisCount});
 
-MaybeFailure select_offsets(Control& control, const BlockWords& words, const Codes& codes) {
+MaybeFailure select_offsets(Control& control, NcBlock& block, const Codes& codes) {
   if (codes.work_offset != nullptr) {
-    if (auto failure = select_work_offset(control, words, codes.work_offset->number)) {
+    if (auto failure = select_work_offset(control, block.words, codes.work_offset->number)) {
       return failure;
     }
   }
-  if (codes.tool_length != nullptr || words.has('H') ||
-      control.parameters.is_on(ParameterId::LengthAtNextBlock)) {
-    return select_tool_length(control, words);
+  const bool is_commanded = codes.tool_length != nullptr || block.words.has('H');
+  if (!is_commanded && !control.parameters.is_on(ParameterId::LengthAtNextBlock)) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  auto failure = select_tool_length(control, block);
+  block.changes_length = block.changes_length && is_commanded;
+  return failure;
 }
 
 /// An arc without an end: it has a centre, so it goes round (MB-302).
@@ -129,6 +131,12 @@ bool is_full_circle(const Control& control, const NcBlock& block) {
   const Plane plane = control.modal.plane();
   return (g == 2 || g == 3) &&
          (block.words.has(plane.first_centre) || block.words.has(plane.second_centre));
+}
+
+/// G43, G44, G49 or H without an axis (MB-296): not along an arc, which its words would have to
+/// say.
+bool moves_by_length(const Control& control, const NcBlock& block) {
+  return block.changes_length && control.modal.group[Group::Motion].whole <= 1;
 }
 
 /// What the words command when the modal codes and offsets are in force.
@@ -144,7 +152,7 @@ MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_b
     return execute_canned_cycle(control, block);
   }
   const bool moves = block.has_axis_word || is_full_circle(control, block) ||
-                     turns_by_direction(control, block.words);
+                     turns_by_direction(control, block.words) || moves_by_length(control, block);
   return moves ? execute_motion(control, block) : std::nullopt;
 }
 
@@ -161,7 +169,8 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (!codes) {
     return codes.error();
   }
-  if (auto failure = select_offsets(control, words, codes.value())) {
+  NcBlock block{words, where, codes.value().frame, words.has_any(kAxisWords)};
+  if (auto failure = select_offsets(control, block, codes.value())) {
     return failure;
   }
   if (auto failure = refuse_unfinished_plane(control, codes.value())) {
@@ -180,7 +189,6 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (codes.value().starts_cycle && in_canned_cycle(control)) {
     start_canned_cycle(control);
   }
-  NcBlock block{words, where, codes.value().frame, words.has_any(kAxisWords)};
   if (block.code == nullptr) {
     block.code = codes.value().one_shot;
   }

@@ -16,6 +16,7 @@ struct NcBlock {
   source::Location where;
   const GCode* code = nullptr;  ///< the one that takes the block's words for itself, if any
   bool has_axis_word = false;
+  bool changes_length = false;  ///< the tool's axis moves for that, also where it is not named
 };
 
 /// Executes an NC block that is no call: modal codes, offsets, then its motion or one-shot code.
@@ -43,7 +44,7 @@ MaybeFailure execute_set_position(Control& control, const NcBlock& block);      
 MaybeFailure execute_preset(Control& control, const NcBlock& block);            // offsets.cc
 MaybeFailure select_work_offset(Control& control, const BlockWords& words,
                                 GNumber code);                               // offsets.cc
-MaybeFailure select_tool_length(Control& control, const BlockWords& words);  // offsets.cc
+MaybeFailure select_tool_length(Control& control, NcBlock& block);           // offsets.cc
 MaybeFailure execute_mirror(Control& control, const NcBlock& block);         // transforms.cc
 MaybeFailure execute_mirror_off(Control& control, const NcBlock& block);     // transforms.cc
 MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // transforms.cc

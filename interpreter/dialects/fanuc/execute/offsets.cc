@@ -61,9 +61,9 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
 }
 
 /// G43, G44, G49, and H, which waits for one of the first two under G49 (MB-135, MB-295, MB-296).
-MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
+MaybeFailure select_tool_length(Control& control, NcBlock& block) {
   const int code = control.modal.group[Group::ToolLength].whole;
-  if (const EvaluatedWord* const h = words.find('H')) {
+  if (const EvaluatedWord* const h = block.words.find('H')) {
     const auto number = integer_within(*h, [&control](int given) {
       return wrong_length_offset(given, control.modal.group[Group::ToolLength]);
     });
@@ -72,6 +72,7 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
     }
     control.modal.length_offset = number.value();
   }
+  const bool had_tip = control.coordinates.tip_system() != TipSystem::None;
   if (auto failure = select_tip_control(control)) {
     return failure;
   }
@@ -92,8 +93,12 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
   }
   const bool shifts = control.profile.length_change == LengthChange::ShiftsCoordinates ||
                       control.parameters.is_on(ParameterId::LengthShifts);
-  shifts ? control.coordinates.shift_tool_offset(q_offset)
-         : control.coordinates.set_tool_offset(q_offset);
+  if (shifts) {
+    control.coordinates.shift_tool_offset(q_offset);
+    return std::nullopt;
+  }
+  const bool changes = control.coordinates.set_tool_offset(q_offset);
+  block.changes_length = changes && !had_tip && control.coordinates.tip_system() == TipSystem::None;
   return std::nullopt;
 }
 

@@ -44,6 +44,10 @@ Entry entry_of(const Profile& profile) {
        {"G53 and the tool length", profile.machine_move_length == MachineMoveLength::Cancels
                                        ? "cancelled until the next G43, G44 or H"
                                        : "left out in its own move only"},
+       {"G43 H1 or G49 alone",
+        profile.length_change == LengthChange::MovesAxis
+            ? "moves the tool's axis by the length; not with parameter 5006.6"
+            : "moves nothing"},
        {"G53 under G91", profile.machine_moves_add ? "moves by its values" : "ignored"},
        {"G00", profile.rapids.positioning == machine::RapidPath::Independent
                    ? "each axis at its own rapid rate; straight with parameter 1401.1"

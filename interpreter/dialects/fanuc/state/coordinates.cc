@@ -57,11 +57,13 @@ void Coordinates::declare(int axis, double value) {
   take_shift();
 }
 
-void Coordinates::set_tool_offset(const AxisPositions& offset) {
-  if (offset != tool_offset_) {
+bool Coordinates::set_tool_offset(const AxisPositions& offset) {
+  const bool changes = offset != tool_offset_;
+  if (changes) {
     tool_offset_ = offset;
     lead();
   }
+  return changes;
 }
 
 void Coordinates::end_tool_offset(int axis) {

@@ -92,7 +92,8 @@ class Coordinates {
   /// What leads the axes; null: nothing.  The place stays the same, for the outlet to look at.
   [[nodiscard]] const machine::AxisTransformPtr& leader() const { return leader_; }
 
-  void set_tool_offset(const AxisPositions& offset);
+  /// The axes are to move by the change.  @return whether there is one
+  bool set_tool_offset(const AxisPositions& offset);
   /// The same for a control whose axis does not follow: the programmed point is re-read.
   void shift_tool_offset(const AxisPositions& offset);
   /// An axis has been brought to a machine position without its tool offset, which is over with it.

@@ -36,9 +36,11 @@ enum class MachineMoveLength {
   Ignores   ///< only its own move goes without it
 };
 
-/// What G43, G44 and G49 do to their axis (MB-295, MB-296).
+/// What G43, G44, G49 and H do to their axis (MB-295, MB-296).
 enum class LengthChange {
-  MovesWithNext,     ///< the next move takes the change along; parameter 5006.6 shifts instead
+  /// It moves by the change, also where the block names no axis; parameter 5006.6 shifts instead
+  /// (30i connection manual B-63943EN-1, 12.5.2, has no axis move then, and only then).
+  MovesAxis,
   ShiftsCoordinates  ///< only coordinates change: an axis that is not named stays
 };
 
@@ -176,7 +178,7 @@ struct Profile {
 
   // Tool length and the machine's own positions
   MachineMoveLength machine_move_length = MachineMoveLength::Cancels;
-  LengthChange length_change = LengthChange::MovesWithNext;
+  LengthChange length_change = LengthChange::MovesAxis;
   bool machine_moves_add = false;         ///< G53 under G91 moves by its values; else it is ignored
   bool bare_reference_moves_all = false;  ///< G28 without axes: all of them
   RapidRule rapids;
