@@ -181,7 +181,8 @@ WrongWord JudgedBlock::argument_letters() const {
 /// @param left_out  of the call
 WrongWord JudgedBlock::plain_words(char left_out) const {
   for (const EvaluatedWord& word : words_.words().all()) {
-    if (word.letter != left_out && !fanuc::fits_plain_word(word)) {
+    const bool is_distance = fanuc::is_measuring_distance(word.letter, codes_.acting, profile_);
+    if (word.letter != left_out && !is_distance && !fanuc::fits_plain_word(word)) {
       return KnownWords::at(fanuc::wrong_plain_word(word), word);
     }
   }

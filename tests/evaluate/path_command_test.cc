@@ -96,6 +96,10 @@ TEST(EvaluateSpeed, ListsItsDips) {
   EXPECT_EQ(output.document.at("curves").at("speed").size(), 300U);
   options.given[OptionId::Side] = "3";
   EXPECT_EQ(evaluate_text(text, options).errors, "g31: error: --side is of square, not of speed\n");
+  options.given.clear();
+  options.magnify = "10";
+  EXPECT_EQ(evaluate_text(text, options).errors,
+            "g31: error: --magnify is of circle and square, not of speed\n");
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ class Manners(unittest.TestCase):
         self.assertEqual(shlex.split(again), ["run", "my part/a b/measure.nc", "--setup", "my part/a b/setup.toml"])
 
     def test_a_plan_that_is_ended_leaves_nothing_behind(self):
-        for ending in (signal.SIGINT, signal.SIGTERM):
+        for ending in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
             words = [G31, "plan", str(PRODUCT), "--stock", "box", "-o", "out"]
             plan = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
             while plan.poll() is None and not any(self.folder.glob("out.g31-*")):
@@ -253,12 +253,23 @@ class Manners(unittest.TestCase):
 
     def test_an_ignored_interruption_stays_ignored(self):
         (self.folder / "a.nc").write_text("%\nO1\nN1 GOTO1\nM30\n%\n")
-        run = subprocess.Popen([G31, "run", "a.nc", "--max-blocks", "100000000000", "--max-time", "1"], cwd=self.folder,
-                               stderr=subprocess.DEVNULL, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
-        for _ in range(5):
-            time.sleep(0.1)
-            run.send_signal(signal.SIGINT)
-        self.assertEqual(run.wait(), 6)
+        for ending in (signal.SIGINT, signal.SIGHUP):
+            run = subprocess.Popen([G31, "run", "a.nc", "--max-blocks", "100000000000", "--max-time", "1"],
+                                   cwd=self.folder, stderr=subprocess.DEVNULL,
+                                   preexec_fn=lambda: signal.signal(ending, signal.SIG_IGN))
+            for _ in range(5):
+                time.sleep(0.1)
+                run.send_signal(ending)
+            self.assertEqual(run.wait(), 6)
+
+    def test_a_closed_terminal_leaves_nothing_half_written(self):
+        (self.folder / "a.nc").write_text("%\nO1\nN1 GOTO1\nM30\n%\n")
+        words = [G31, "run", "a.nc", "--max-blocks", "100000000000", "--jsonl", "a.jsonl", "--trace", "a.csv"]
+        run = subprocess.Popen(words, cwd=self.folder, stderr=subprocess.DEVNULL)
+        self.wait_until_it_catches(run, signal.SIGHUP)
+        run.send_signal(signal.SIGHUP)
+        self.assertEqual(run.wait(timeout=60), 130)
+        self.assertEqual([file.name for file in self.folder.iterdir() if file.name.endswith(".part")], [])
 
     def test_an_earlier_document_stays_until_a_new_one_takes_its_place(self):
         document = self.folder / "a.json"

@@ -104,6 +104,24 @@ TEST(RunErrors, OfSettableFramesThatTheSheetLeavesOut) {
   }
 }
 
+TEST(RunErrors, OfAWorkOffsetThatIsMissingHaveTheNameOfTheProgram) {
+  for (const auto& [control, code, says] :
+       {std::tuple("haas", "G154 P2", "error: G154 P2 is not"),
+        std::tuple("haas", "G111", "error: G154 P2 is not"),
+        std::tuple("haas", "G55", "error: G55 is not"),
+        std::tuple("fanuc-30i", "G54.1 P2", "error: G54.1 P2 is not"),
+        std::tuple("fanuc-30i", "G54 P2", "error: G54.1 P2 is not")}) {
+    TemporaryFolder folder;
+    cli::RunOptions options;
+    options.control = control;
+    options.programs = {folder.write("case.nc", std::string("O1\n") + code + "\nM30\n")};
+    options.setups = {folder.write("sheet.toml", "[work_offsets.G54]\nX = 1.0\n")};
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, 5);
+    EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;
+  }
+}
+
 TEST(RunErrors, OfSettingsThatTheControlRefusesHaveTheirPlaceInTheSheet) {
   const std::string sheet =
       "[variables]\n\"#500\" = 1.0\n\"#5001\" = 3.0\n[tools.99999]\nlength = 2.0\n"

@@ -295,6 +295,7 @@ TEST(ReportOptions, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(g31({"run", program, "--report", "a.html", "--lang", "fr"}).exit_code, 2);
   EXPECT_EQ(g31({"run", program, "--report", program}).exit_code, 2);
   EXPECT_EQ(g31({"run", program, "--lang", "ja"}).exit_code, 2) << "of which report?";
+  EXPECT_EQ(g31({"run", program, "--trace-period", "1ms"}).exit_code, 2) << "of which trace?";
   const std::string page = folder.path("a.html");
   EXPECT_EQ(g31({"run", program, "--report", page, "--compare", ""}).exit_code, 2);
 }

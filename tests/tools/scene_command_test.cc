@@ -178,6 +178,24 @@ TEST(SceneCommand, WritesAValidSceneWithTheSameBytesEachTime) {
   EXPECT_EQ(run.file, scene_of(kMeasureRing, "again.glb").file);
 }
 
+TEST(SceneCommand, TakesThePicturesOptionsForPicturesOnly) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"ring.glb", "ring.gltf", "ring.svg"}) {
+    SCOPED_TRACE(name);
+    cli::SceneOptions options;
+    options.run.programs = {kMeasureRing};
+    options.run.setups = {kRing};
+    options.output = folder.path(name);
+    options.theme = "dark";
+    ::testing::internal::CaptureStderr();
+    const bool is_picture = options.output.ends_with(".svg");
+    EXPECT_EQ(static_cast<int>(cli::scene_command(options)), is_picture ? 0 : 2);
+    EXPECT_EQ(::testing::internal::GetCapturedStderr().find("--theme") == std::string::npos,
+              is_picture);
+    EXPECT_EQ(std::filesystem::exists(options.output), is_picture);
+  }
+}
+
 TEST(SceneCommand, ContactsStandWhereTheTouchesWere) {
   const Glb glb = parse_glb(scene_of(kMeasureRing, "ring.glb").file);
   cli::RunOptions options;

@@ -30,6 +30,7 @@ void catch_once(int signal) {
 
 const runtime::Interruption& catch_interruption() {
   catch_once(SIGINT);
+  catch_once(SIGHUP);
   disk::give_up_waiting_when(is_asked_for);
   return is_asked_for;
 }

@@ -166,7 +166,8 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->check(why_no_place);
   run->add_option("--trace-period", options.trace_period,
                   "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
-      ->type_name("TIME");
+      ->type_name("TIME")
+      ->needs("--trace");
   run->add_option("--readings", options.readings,
                   "what the sensors of the sheet read at every stop (G04, M00, M01, STOPRE), as a "
                   "table (CSV)")

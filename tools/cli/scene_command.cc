@@ -44,6 +44,11 @@ std::optional<session::Refusal> refused(const SceneOptions& options) {
         "-o {}: a scene is a .glb or a .gltf file, a picture of it a .svg or a .png file",
         options.output));
   }
+  const bool is_picture = form == ".svg" || form == ".png";
+  if (!is_picture && (options.width || options.theme)) {
+    return session::bad_input(fmt::format(
+        "-o {}: --width and --theme are of a picture, a .svg or a .png file", options.output));
+  }
   if (form == ".png" && !has_svg_drawer()) {
     return session::bad_input(
         fmt::format("-o {}: {} draws it and is not installed (Debian: librsvg2-bin); a .svg file "
@@ -87,8 +92,8 @@ Result<std::string, session::Refusal> document_of(const SceneOptions& options,
   scene.parts = parts;
   scene.stylus = stylus;
   const std::string svg = picture::still_svg(
-      scene,
-      {options.width, options.theme == "dark" ? picture::Theme::Dark : picture::Theme::Light});
+      scene, {options.width.value_or(picture::StillLook{}.width),
+              options.theme == "dark" ? picture::Theme::Dark : picture::Theme::Light});
   if (form == ".svg") {
     return svg;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,10 +12,10 @@ namespace g31::cli {
 
 /// What the command line of `g31 scene` says.
 struct SceneOptions {
-  RunOptions run;               ///< with `json`: where the document g31.scene/1 goes
-  std::string output;           ///< ends in one of kSceneForms
-  int width = 1200;             ///< pixels, of a still
-  std::string theme = "light";  ///< of a still: light or dark
+  RunOptions run;                    ///< with `json`: where the document g31.scene/1 goes
+  std::string output;                ///< ends in one of kSceneForms
+  std::optional<int> width;          ///< pixels, of a still
+  std::optional<std::string> theme;  ///< of a still: light or dark
 };
 
 /// What a scene is written as, by the end of the file's name.

@@ -30,11 +30,11 @@ CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
   scene->add_option("--width", options.width, "of a picture, pixels")
       ->type_name("PX")
       ->check(CLI::Range(picture::kLeastStillPixels, picture::kMostStillPixels))
-      ->capture_default_str();
+      ->default_str(std::to_string(picture::StillLook{}.width));
   scene->add_option("--theme", options.theme, "of a picture: light or dark")
       ->type_name("THEME")
       ->check(CLI::IsMember(std::vector<std::string>{"light", "dark"}))
-      ->capture_default_str();
+      ->default_str("light");
   return scene;
 }
 

@@ -58,6 +58,9 @@ Wrong take_magnify(const std::string& text, Request& request) {
   if (text.empty()) {
     return std::nullopt;
   }
+  if (request.kind != Kind::Circle && request.kind != Kind::Square) {
+    return fmt::format("--magnify is of circle and square, not of {}", info(request.kind).word);
+  }
   const auto magnify = option_number(text);
   if (!magnify || *magnify <= 0.0) {
     return fmt::format("--magnify {}: this is not a number above 0 and up to 1e6", text);

@@ -32,6 +32,11 @@ WrongValue wrong_plain_word(const EvaluatedWord& word) {
              : point_in(word);
 }
 
+bool is_measuring_distance(char letter, const GCode* code, const Profile& profile) {
+  return letter == 'D' && code != nullptr && code->action == GAction::MeasureTool &&
+         profile.tool_measurement == ToolMeasurement::NearPositionByWords;
+}
+
 bool is_argument(const EvaluatedWord& word, const EvaluatedWord& code, const Profile& profile) {
   const bool is_before = word.span.begin < code.span.begin;
   const bool takes_effect = profile.codes_before_call && code.number == 65.0 && is_before;

@@ -33,6 +33,9 @@ inline bool fits_plain_word(const EvaluatedWord& word) {
       return true;
   }
 }
+/// D of G37, where it is a distance and no number of an offset.
+/// @param code  that takes the block's words; null: none
+bool is_measuring_distance(char letter, const GCode* code, const Profile& profile);
 /// Of one that does not.
 [[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word);
 

@@ -143,7 +143,9 @@ bool moves_by_length(const Control& control, const NcBlock& block) {
 MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_before) {
   if (block.code != nullptr) {
     auto failure = execute_action(control, block);
-    if (block.code->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
+    const bool measures =
+        block.code->action == GAction::Skip || block.code->action == GAction::MeasureTool;
+    if (measures && control.profile.skip_feed == SkipFeed::OneBlock) {
       control.modal.feed = feed_before;
     }
     return failure;

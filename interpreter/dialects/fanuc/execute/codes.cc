@@ -159,7 +159,7 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
 }
 
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
-MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
+MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, const Codes& codes) {
   const auto refused = [&word] { return at_word(wrong_plain_word(word), word); };
   switch (word.letter) {  // outside it whether a number fits would be asked by letter again
     case 'F':
@@ -168,10 +168,14 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
       }
       control.modal.feed = written_feed(control, word);
       return std::nullopt;
+    case 'D':
+      if (is_measuring_distance(word.letter, codes.one_shot, control.profile)) {
+        return std::nullopt;
+      }
+      [[fallthrough]];
     case 'M':
     case 'S':
     case 'T':
-    case 'D':
     case 'H': {
       if (!fits_plain_word(word)) {
         return refused();
@@ -296,7 +300,7 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   }
   for (const EvaluatedWord& word : words.all()) {
     if (word.letter != 'G') {
-      if (auto failure = take_plain_word(control, word)) {
+      if (auto failure = take_plain_word(control, word, codes)) {
         return *std::move(failure);
       }
     }

@@ -37,10 +37,27 @@ Result<int, Failure> measured_offset(Control& control, const NcBlock& block) {
   return number;
 }
 
+/// A word of the block that a control takes in the place of a parameter; null: the parameter
+/// counts.
+const EvaluatedWord* measuring_word(const Control& control, const NcBlock& block, char letter) {
+  return control.profile.tool_measurement == ToolMeasurement::NearPositionByWords
+             ? block.words.find(letter)
+             : nullptr;
+}
+
 /// The feed near the measuring position, mm/min.
-Result<double, Failure> measuring_feed(const Control& control) {
-  const double feed = control.parameters.get(ParameterId::MeasuringFeed);
+Result<double, Failure> measuring_feed(const Control& control, const NcBlock& block) {
+  const bool is_given = measuring_word(control, block, 'F') != nullptr;
+  const double feed = is_given ? 0.0 : control.parameters.get(ParameterId::MeasuringFeed);
   return feed > 0.0 ? Result<double, Failure>(feed) : feed_in_force(control);
+}
+
+/// A distance from the measuring position, mm; its sign says nothing.
+double measuring_length(const Control& control, const NcBlock& block, char letter,
+                        ParameterId parameter) {
+  const EvaluatedWord* const word = measuring_word(control, block, letter);
+  return word != nullptr ? std::abs(control.scale.length_mm(*word))
+                         : control.parameters.get(parameter);
 }
 
 /// A way along one axis to the measuring position and past it.
@@ -114,7 +131,7 @@ MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
   if (!axis) {
     return axis.error();
   }
-  const auto feed = measuring_feed(control);
+  const auto feed = measuring_feed(control, block);
   if (!feed) {
     return feed.error();
   }
@@ -123,9 +140,9 @@ MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
   approach.q_M_nominal = control.coordinates.to_path(programmed_end(control, block));
   const double way = approach.q_M_nominal[approach.axis] - control.port.position()[approach.axis];
   approach.sign = way < 0.0 ? -1.0 : 1.0;
-  approach.zone = control.parameters.get(ParameterId::MeasuringZone);
+  approach.zone = measuring_length(control, block, 'D', ParameterId::MeasuringZone);
   approach.feed_mm_min = feed.value();
-  const double slow = control.parameters.get(ParameterId::MeasuringApproach);
+  const double slow = measuring_length(control, block, 'R', ParameterId::MeasuringApproach);
   if (std::abs(way) > slow) {
     if (auto failure = rapid_to(control, approach.at(-slow), control.rapid_path())) {
       return failure;

@@ -54,7 +54,8 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
     return missing(source::DiagnosticId::SetupMissingOffset,
                    which <= Coordinates::kSystems
                        ? to_text(code)
-                       : fmt::format("G54.1 P{}", which - Coordinates::kSystems));
+                       : fmt::format("{} P{}", is_numbered || code.whole == 154 ? "G154" : "G54.1",
+                                     which - Coordinates::kSystems));
   }
   control.coordinates.select(which);
   return std::nullopt;

@@ -114,6 +114,7 @@ constexpr Profile meldas() {
   profile.skip_selection = SkipSelection::Mask;
   profile.skip_feed = SkipFeed::OneBlock;
   profile.skip_feed_parameter = ParameterId::SkipFeed;
+  profile.tool_measurement = ToolMeasurement::NearPositionByWords;
   return profile;
 }
 

@@ -47,7 +47,10 @@ enum class LengthChange {
 /// What G37 does (MB-282).
 enum class ToolMeasurement {
   NearPosition,  ///< measures against the programmed position, within a zone; adds to the wear
-  ToTravelEnd    ///< moves Z down to the signal wherever it comes; sets the length
+  /// The same, with R, D and F in the place of parameters 6251, 6254 and 6241 (M700V programming
+  /// manual, 15.1).
+  NearPositionByWords,
+  ToTravelEnd  ///< moves Z down to the signal wherever it comes; sets the length
 };
 
 /// Which alarm number `#3000=n` makes (MB-123, MB-339, MB-368, MB-372).

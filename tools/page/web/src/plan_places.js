@@ -72,9 +72,11 @@ export function drawCrash(view, page) {
   const isEnglish = document.documentElement.lang === 'en';
   const text = isEnglish ? view.crash?.what ?? '' : word('collision');
   const left = x > page.width / 2;
+  const room = left ? x : page.width - x;
+  const most = Math.min(46, Math.floor((room - 16) / 7)); // a bold letter is some 7 wide
   drawn += `<path d="M${x - 7} ${y - 7}l14 14m0 -14l-14 14" stroke="var(--bad)" stroke-width="3"/>`
     + `<text x="${(left ? x - 13 : x + 13).toFixed(1)}" y="${(y - 11).toFixed(1)}" class="halo" font-size="12" font-weight="600" fill="var(--bad)" `
-    + `text-anchor="${left ? 'end' : 'start'}">${esc(text.length > 46 ? `${text.slice(0, 45)}…` : text)}</text>`;
+    + `text-anchor="${left ? 'end' : 'start'}">${esc(text.length > most ? `${text.slice(0, most - 1)}…` : text)}</text>`;
   return drawn;
 }
 
