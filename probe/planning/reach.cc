@@ -34,14 +34,31 @@ Why Reach::obstacle(const Point& p_P_from, const Point& p_P_to, machine::Travel 
   return met ? Why(met->what) : std::nullopt;
 }
 
+Why Reach::beyond_travel(const Point& p_P_ball) const {
+  const AxisPositions q_M = axes_at(p_P_ball);
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
+    const double limit = std::clamp(q_M[axis], way_.q_M_least[axis], way_.q_M_most[axis]);
+    if (q_M[axis] != limit) {
+      return fmt::format("axis {} would have to go to {:.3f} mm, its travel ends at {:g} mm",
+                         kAxisLetters[static_cast<std::size_t>(axis)], q_M[axis], limit);
+    }
+  }
+  return std::nullopt;
+}
+
 Why Reach::problem(const PlannedPoint& point, double surface_error_mm) {
   const Point above(point.start_P.x(), point.start_P.y(),
                     std::max(way_.clear_z_P, point.start_P.z()));
+  const double depth = way_.ball_radius_mm - way_.overtravel_mm;
+  const Point end = point.at_P + depth * point.normal_P;
+  for (const Point& place : {above, point.start_P, end}) {
+    if (auto why = beyond_travel(place)) {
+      return why;
+    }
+  }
   if (auto why = obstacle(above, point.start_P, machine::Travel::Feed)) {
     return fmt::format("{} on the way down", *why);
   }
-  const double depth = way_.ball_radius_mm - way_.overtravel_mm;
-  const Point end = point.at_P + depth * point.normal_P;
   const Ends ends = {machine::Waypoint{0.0, axes_at(point.start_P)},
                      machine::Waypoint{1.0, axes_at(end)}};
   const auto signal = world_.first_signal(machine::Way(ends), {});

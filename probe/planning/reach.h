@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,9 @@ struct ProbeWay {
   double ball_radius_mm = 3.0;        ///< > 0
   double clear_z_P = 0.0;             ///< of the ball's centre: it travels freely at this height
   double overtravel_mm = 3.0;         ///< >= 0: how far behind the surface a touch ends
+  /// Machine coordinates that X, Y and Z can have.
+  Point q_M_least = Point::Constant(-std::numeric_limits<double>::infinity());
+  Point q_M_most = Point::Constant(std::numeric_limits<double>::infinity());
 };
 
 /// Asks the world of a run whether a probe gets to a touch with all that it carries.
@@ -37,6 +41,8 @@ class Reach {
 
  private:
   [[nodiscard]] AxisPositions axes_at(const Point& p_P_ball) const;
+  /// @returns which axis cannot take the ball's centre there
+  [[nodiscard]] std::optional<std::string> beyond_travel(const Point& p_P_ball) const;
 
   machine::Surroundings& world_;
   ProbeWay way_;

@@ -201,6 +201,31 @@ TEST_F(Plan, TheSheetOfAShopKeepsItsMachineAndItsFiles) {
   EXPECT_NE(made.find("on = \"G54\""), std::string::npos) << made;
 }
 
+// An axis that ends before a feature leaves that one out.
+TEST_F(Plan, WhatTheAxesDoNotGetToIsNotMeasured) {
+  const std::string sheet = folder_.write(
+      "shop.toml",
+      "[control]\nprofile = \"fanuc-30i\"\n[work_offsets.G54]\nX = 100.0\nY = 0.0\nZ = -300.0\n"
+      "[machine.axes.X]\ntravel = [-500.0, 240.0]\n[tools.1]\nlength = 120.0\n"
+      "[probe]\nlength = 120.0\n");
+  const CommandOutput output = plan({kProduct, "--stock", "box", "--setup", sheet});
+  ASSERT_EQ(output.exit_code, 1) << output.errors;
+  const json made = document();
+  EXPECT_GT(made.at("measures").size(), 5U);
+  ASSERT_FALSE(made.at("not_measured").empty());
+  for (const json& row : made.at("not_measured")) {
+    EXPECT_NE(row.at("why").get<std::string>().find("its travel ends at 240 mm"), std::string::npos)
+        << row;
+  }
+}
+
+TEST_F(Plan, LeavesNoProgramOfAnEarlierPlanBesideIt) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box", "--control", "828D"}).exit_code, 0);
+  ASSERT_EQ(plan({kProduct, "--stock", "box", "--control", "fanuc-30i"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(out("inspect.nc")));
+  EXPECT_FALSE(std::filesystem::exists(out("INSPECT.MPF")));
+}
+
 // Of the block around a cylinder four corners are removed, all of no kind.
 TEST_F(Plan, WhatIsOfNoKindIsNamedAndTheRestIsWritten) {
   const std::string boss = folder_.write("boss.step", text_of("tests/parts/cylinder.step"));
@@ -228,6 +253,14 @@ TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
   const std::string other = folder_.write(
       "other.toml",
       "[control]\nprofile = \"haas\"\n[work_offsets.G54]\nX = 0.0\n[probe]\nlength = 100.0\n");
+  const auto sheet_of = [&](const char* name, const char* g54, const char* probe) {
+    return folder_.write(
+        name, std::string("[work_offsets.G54]\nX = 300.0\nY = -200.0\nZ = -300.0\n") + g54 +
+                  "[tools.1]\nlength = 120.0\n[probe]\nlength = 120.0\n" + probe);
+  };
+  const std::string no_tool = sheet_of("no_tool.toml", "", "tool = 3\n");
+  const std::string turned = sheet_of("turned.toml", "rotate_deg = [0.0, 0.0, 20.0]\n", "");
+  const std::string mirrored = sheet_of("mirrored.toml", "mirror = \"X\"\n", "");
   const std::string no_probe = folder_.write("no_probe.toml", "[work_offsets.G54]\nX = 0.0\n");
   const std::string own_part = folder_.write(
       "own.toml",
@@ -238,6 +271,9 @@ TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
     std::string message;
   };
   const std::vector<Case> cases = {
+      {{kProduct, "--stock", "box", "--control", "828D", "-s", no_tool}, 5, "no [tools.3]"},
+      {{kProduct, "--stock", "box", "--control", "828D", "-s", turned}, 5, "not turned"},
+      {{kProduct, "--stock", "box", "--control", "828D", "-s", mirrored}, 5, "neither mirrored"},
       {{truncated, "--stock", "box"}, 2, "cut.step"},
       {{empty, "--stock", "box"}, 2, "empty.step"},
       {{folder_.path("none.step"), "--stock", "box"}, 2, "none.step: there is no such file"},

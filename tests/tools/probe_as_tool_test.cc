@@ -75,10 +75,10 @@ TEST(ProbeAsTool, OffAndTurningAreToldByTheirPlaceInBothDialects) {
   EXPECT_EQ(fanuc.exit_code, 1);
   EXPECT_EQ(
       said(fanuc, folder),
-      R"(off.nc:3:1: warning: measuring move with the probe switched off: no signal can come [PRB312]
+      R"(off.nc:3:1: warning: measuring move with the probe switched off, or not ready yet: no signal can come [PRB312]
     3 | G31 Z190. F500.
       | ^~~~~~~~~~~~~~~
-      = switch it on first, as probe.on in the set-up sheet says
+      = switch it on first, as probe.on in the set-up sheet says, and wait for probe.start_up_s
 off.nc:3:1: warning: measuring move with the spindle turning [PRB313]
     3 | G31 Z190. F500.
       | ^~~~~~~~~~~~~~~
@@ -93,10 +93,10 @@ off.nc:3:1: warning: the skip move reached its end point without a signal [PRB30
   EXPECT_EQ(sinumerik.exit_code, 1);
   EXPECT_EQ(
       said(sinumerik, folder),
-      R"(off.mpf:2:1: warning: measuring move with the probe switched off: no signal can come [PRB312]
+      R"(off.mpf:2:1: warning: measuring move with the probe switched off, or not ready yet: no signal can come [PRB312]
     2 | MEAS=1 G1 Z190 F500
       | ^~~~~~~~~~~~~~~~~~~
-      = switch it on first, as probe.on in the set-up sheet says
+      = switch it on first, as probe.on in the set-up sheet says, and wait for probe.start_up_s
 off.mpf:2:1: warning: measuring move with the spindle turning [PRB313]
     2 | MEAS=1 G1 Z190 F500
       | ^~~~~~~~~~~~~~~~~~~

@@ -185,6 +185,11 @@ TEST_F(Report, ShowsHostileTextAsText) {
   EXPECT_TRUE(has(page, "\\u003c/script>"));
 }
 
+TEST_F(Report, ASemicolonInAFanucCommentIsOfTheComment) {
+  const std::string page = page_of("O8\n#501=1 (WIDTH; HEIGHT)\nM30\n", {"--print", "#501"});
+  EXPECT_TRUE(has(page, R"(class="name">WIDTH; HEIGHT <)")) << page;
+}
+
 TEST_F(Report, TellsWhereACollisionWas) {
   const std::string page = page_of("O9\nG90 G0 X30. Y0.\nG0 Z100.\nM30\n");
   EXPECT_EQ(output_.exit_code, 4) << output_.errors;

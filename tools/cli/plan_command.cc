@@ -124,6 +124,12 @@ Wrong hand_over(const PlanOptions& options, const plan::PlannedPart& planned,
   const fs::path folder(options.folder);
   fs::create_directories(folder, wrong);
   const std::string program = planned.program_file;
+  for (const char* const earlier : {"inspect.nc", "INSPECT.MPF"}) {
+    // An earlier plan's program for the other language would be beside a plan that is not its own.
+    if (!wrong && earlier != program && fs::exists(folder / "plan.json")) {
+      fs::remove(folder / earlier, wrong);
+    }
+  }
   for (const std::string& name : {program, std::string(plan::kSheetFile)}) {
     if (!wrong) {
       fs::rename(made.path(name), folder / name, wrong);

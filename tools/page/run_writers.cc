@@ -43,8 +43,10 @@ std::string comment_of(std::string_view line) {
   const std::size_t open = line.rfind('(');
   const std::size_t close = line.rfind(')');
   const std::size_t semicolon = line.find(';');
+  // A semicolon between brackets is of a comment of the other language.
+  const bool is_inside = open < semicolon && line.find(')', open) > semicolon;
   std::string_view text;
-  if (semicolon != std::string_view::npos) {
+  if (semicolon != std::string_view::npos && !is_inside) {
     text = line.substr(semicolon + 1);
   } else if (open != std::string_view::npos && close != std::string_view::npos && close > open &&
              line.find_first_not_of(" \t\r", close + 1) == std::string_view::npos) {

@@ -12,6 +12,8 @@ constexpr ProgramWords kFanucWords = {
     .feed = "G01",
     .ways_feed = "F#101",
     .radius = "#100",
+    .across = "#104",
+    .along = "#105",
     .point = "#103",
     .dwell = "G04 X",
     .cycle = "O9010, the macro of G100",
@@ -121,29 +123,13 @@ class FanucWriter final : public ProgramWriter {
       count_touches(kFastAndSlow, round.points[i]);
     }
     for (const StepResult& result : step.results) {
-      write_round_value(step, result);
+      write_result(result);
     }
   }
 
-  /// Of a size: touches beside the middle are on a chord, whose distance from it the others show.
-  void write_round_value(const ProgramStep& step, const StepResult& result) {
-    const probe::PlannedMeasure& measure = plan().measures[result.measure];
-    const std::string first = variable(result.first);
-    const std::string second = variable(result.second);
-    if (measure.what == probe::Characteristic::Place) {
-      write_value(result, fmt::format("[{}+{}]/2{}", first, second, less_exact(measure.origin_mm)));
-      return;
-    }
-    const bool is_x = result.first == step.contacts[0];
-    const std::size_t beside = is_x ? 2 : 0;
-    const double centre = is_x ? step.round->centre_P.y() : step.round->centre_P.x();
-    const auto [to_centre, back] =
-        step.round->is_standing ? std::pair('+', '-') : std::pair('-', '+');
-    line("#104=[{}+{}]/2{}", variable(step.contacts[beside]), variable(step.contacts[beside + 1]),
-         less(coordinate(centre)));
-    line("IF [ABS[#104] LT .00000001] THEN #104=0");
-    line("#105=[{}-{}]/2{}#100", second, first, to_centre);
-    write_value(result, fmt::format("2*[SQRT[#105*#105+#104*#104]{}#100]", back));
+  /// The square of less than that is none that every control has.
+  void write_no_less(std::string_view variable) override {
+    line("{0}=FIX[{0}*10000000.]/10000000.", variable);
   }
 
   void write_print(const std::string& name, const std::string& variable, int decimals) override {

@@ -154,7 +154,7 @@ class PartPlanner {
     options_.product = planned_.product;
     planned_.cycle = cycle_of(options_.language);
     if (request_.by_points) {
-      planned_.plan.rounds.clear();
+      give_up_cycles("as asked for", planned_.plan);
     }
     choose_cycles(job, options_, planned_.plan);
     put_in_order(planned_.plan);

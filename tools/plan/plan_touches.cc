@@ -37,6 +37,26 @@ double top_of(const std::vector<probe::ProbedPart>& parts, const Point& p_M_prod
   return top;
 }
 
+/// What no plan can be made for.
+std::optional<session::Refusal> wrong_setup(const setup::Job& job) {
+  if (!job.probe || job.probe->in_turret) {
+    return session::bad_setup(
+        "a plan needs a [probe] in the spindle, and the sheet has none there");
+  }
+  if (job.parts.back().rotate_deg != Point::Zero()) {
+    return session::bad_setup(
+        "a plan needs a work offset that is not turned, and G54 of the sheet is");
+  }
+  const auto shape = job.control.offset_shapes.find("G54");
+  const bool is_plain =
+      shape == job.control.offset_shapes.end() ||
+      (shape->second.mirrored.empty() && shape->second.scale == runtime::OffsetShape{}.scale);
+  return is_plain ? std::nullopt
+                  : std::optional(session::bad_setup(
+                        "a plan needs a work offset that is neither mirrored nor scaled, and G54 "
+                        "of the sheet is"));
+}
+
 }  // namespace
 
 Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
@@ -44,9 +64,8 @@ Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
                                                       const PlannedPart& part,
                                                       std::optional<double> tolerance_mm) {
   const parts::PartSetup& product = job.parts.back();
-  if (!job.probe || job.probe->in_turret || product.rotate_deg != Point::Zero()) {
-    return session::bad_setup(
-        "a plan needs a probe in the spindle, and a work offset that is not turned");
+  if (auto wrong = wrong_setup(job)) {
+    return *std::move(wrong);
   }
   const probe::ProbeSetup setup = perfect(*job.probe);
   probe::TouchProbe world(setup, built.parts, 0);
@@ -64,6 +83,11 @@ Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
   way.ball_radius_mm = options.ball_radius_mm;
   way.clear_z_P = top_of(built.parts, product.p_M_at, part.part.stock_P) + options.ball_radius_mm +
                   options.distances.approach_z;
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
+    const machine::AxisSetup& setup_of_axis = job.machine.axes[static_cast<std::size_t>(axis)];
+    way.q_M_least[axis] = setup_of_axis.travel_min;
+    way.q_M_most[axis] = setup_of_axis.travel_max;
+  }
   probe::Reach reach(world, way);
   const auto unreachable = [&reach](const probe::PlannedPoint& point, double error) {
     return reach.problem(point, error);

@@ -10,12 +10,17 @@
 
 namespace g31::plan {
 
-/// A measure that is computed once its second point is touched.
+/// A measure that is computed once its points are touched.
 struct StepResult {
   std::size_t measure = 0;
   int variable = 0;  ///< gets it, counted from 0
   int first = 0;     ///< variables of its contacts
   int second = 0;
+  /// Of the diameter of a round wall: the two contacts across, between which its middle is; else
+  /// null.
+  const probe::PlannedRound* round = nullptr;
+  int first_across = 0;
+  int second_across = 0;
 };
 
 /// One touch of a program, or the four of a round wall by a cycle, and what comes of it.

@@ -176,10 +176,31 @@ void ProgramWriter::write_result(const StepResult& result) {
   const bool is_against = axis >= 0 && measure.direction_P[axis] < 0.0;
   const std::string from = variable(is_against ? result.second : result.first);
   const std::string to = variable(is_against ? result.first : result.second);
+  if (result.round != nullptr) {
+    write_diameter(result, from, to);
+    return;
+  }
   write_value(result, measure.what == probe::Characteristic::Size
                           ? fmt::format("{}-{}", to, from)
                           : fmt::format("{}{}{}+{}{}/2{}", is_against ? "-" : "", words_.open, from,
                                         to, words_.close, less_exact(measure.origin_mm)));
+}
+
+/// Touches beside the middle are on a chord, whose distance from it the two across show.
+void ProgramWriter::write_diameter(const StepResult& result, const std::string& from,
+                                   const std::string& to) {
+  const probe::PlannedMeasure& measure = plan_.measures[result.measure];
+  const int across = 1 - axis_along(measure.direction_P);
+  const auto [to_centre, back] =
+      result.round->is_standing ? std::pair('+', '-') : std::pair('-', '+');
+  line("{}={}{}+{}{}/2{}", words_.across, words_.open, variable(result.first_across),
+       variable(result.second_across), words_.close,
+       less(coordinate(plan_.points[measure.first].start_P[across])));
+  write_no_less(words_.across);
+  line("{}={}{}-{}{}/2{}{}", words_.along, words_.open, to, from, words_.close, to_centre,
+       words_.radius);
+  write_value(result, fmt::format("2*{0}SQRT{0}{1}*{1}+{2}*{2}{3}{4}{5}{3}", words_.open,
+                                  words_.along, words_.across, words_.close, back, words_.radius));
 }
 
 void ProgramWriter::write_value(const StepResult& result, const std::string& value) {

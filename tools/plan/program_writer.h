@@ -21,6 +21,8 @@ struct ProgramWords {
   std::string_view feed;
   std::string_view ways_feed;            ///< "F#101"
   std::string_view radius;               ///< of the ball: "#100"
+  std::string_view across;               ///< variables of diameters: off the middle, ...
+  std::string_view along;                ///< ... and half a chord
   std::string_view point;                ///< the variable that has the number of the point
   std::string_view dwell;                ///< before seconds: "G04 X"
   std::string_view cycle;                ///< what measures round walls, for comments
@@ -89,6 +91,8 @@ class ProgramWriter {
   void leave();
   /// So many touches come; the last of them is that of a point.
   void count_touches(std::size_t touches, std::size_t point);
+  /// From the contacts that its variables have.
+  void write_result(const StepResult& result);
   void write_value(const StepResult& result, const std::string& value);
   /// "F3 F5": whose walls a cycle measures; "": of none.
   [[nodiscard]] std::string features_by_cycle() const;
@@ -101,6 +105,8 @@ class ProgramWriter {
   /// The four touches of a round wall by a cycle, and its values.
   virtual void write_cycle(const ProgramStep& step) = 0;
   virtual void write_print(const std::string& name, const std::string& variable, int decimals) = 0;
+  /// Before the square of a variable is computed.
+  virtual void write_no_less(std::string_view variable) { static_cast<void>(variable); }
   /// Behind the last way up, the probe switched off.
   virtual void write_end() = 0;
 
@@ -111,7 +117,7 @@ class ProgramWriter {
   [[nodiscard]] Skip skip_of(const probe::PlannedPoint& point, std::size_t number) const;
   [[nodiscard]] std::string contact(const probe::PlannedPoint& point,
                                     const ProgramStep& step) const;
-  void write_result(const StepResult& result);
+  void write_diameter(const StepResult& result, const std::string& from, const std::string& to);
 
   const probe::InspectionPlan& plan_;
   const ProgramSteps& steps_;

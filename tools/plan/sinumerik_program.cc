@@ -11,6 +11,8 @@ constexpr ProgramWords kSinumerikWords = {
     .feed = "G1",
     .ways_feed = "F=R3",
     .radius = "R1",
+    .across = "R5",
+    .along = "R6",
     .point = "R2",
     .dwell = "G4 F",
     .cycle = "CYCLE977",
