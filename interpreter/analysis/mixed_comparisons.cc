@@ -1,7 +1,10 @@
 #include "interpreter/analysis/mixed_comparisons.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+
+#include "interpreter/dialects/sinumerik/vocabulary/operators.h"
 
 namespace g31::analysis {
 namespace {
@@ -10,6 +13,7 @@ using sinumerik::Bank;
 using sinumerik::Op;
 using sinumerik::OpCode;
 using sinumerik::Operand;
+using sinumerik::OperatorKind;
 
 /// What a temporary value came out of.
 enum class Origin : std::uint8_t {
@@ -18,13 +22,18 @@ enum class Origin : std::uint8_t {
   ComparedToLogic,  ///< a comparison with such a value on its right
 };
 
+bool is_of(OpCode code, OperatorKind kind) {
+  const auto rows = sinumerik::operators();
+  const auto row = std::ranges::find(rows, code, &sinumerik::OperatorInfo::code);
+  return row != rows.end() && row->kind == kind;
+}
+
 bool is_logic(OpCode code) {
-  return code == OpCode::And || code == OpCode::Or || code == OpCode::Xor;
+  return is_of(code, OperatorKind::Logic);
 }
 
 bool is_comparison(OpCode code) {
-  return code == OpCode::Equal || code == OpCode::NotEqual || code == OpCode::Less ||
-         code == OpCode::Greater || code == OpCode::LessEqual || code == OpCode::GreaterEqual;
+  return is_of(code, OperatorKind::Comparison);
 }
 
 class Origins {

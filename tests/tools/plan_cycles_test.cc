@@ -148,6 +148,7 @@ TEST_F(PlanCycles, FindsTheErrorsOfHolesByTheCyclesAndPointByPoint) {
     const CommandOutput output = plan(words);
     ASSERT_EQ(output.exit_code, 0) << output.errors;
     const json made = document();
+    EXPECT_GT(machine_time_s(output.out), 0.0) << output.out;
     EXPECT_LT(machine_time_s(output.out), 600.0) << output.out;
     for (const json& row : made.at("as_machined").at("measures")) {
       const auto error = errors.find(row.at("id"));

@@ -124,7 +124,7 @@ Wrong hand_over(const PlanOptions& options, const plan::PlannedPart& planned,
   const fs::path folder(options.folder);
   fs::create_directories(folder, wrong);
   const std::string program = planned.program_file;
-  for (const char* const earlier : {"inspect.nc", "INSPECT.MPF"}) {
+  for (const std::string_view earlier : {plan::kFanucProgram, plan::kSinumerikProgram}) {
     // An earlier plan's program for the other language would be beside a plan that is not its own.
     if (!wrong && earlier != program && fs::exists(folder / "plan.json")) {
       fs::remove(folder / earlier, wrong);

@@ -92,8 +92,9 @@ class PartPlanner {
     }
     control_ = read.value().control;
     planned_.control = session::name_of(*control_);
-    planned_.program_file =
-        std::holds_alternative<session::SinumerikControl>(*control_) ? "INSPECT.MPF" : "inspect.nc";
+    planned_.program_file = std::holds_alternative<session::SinumerikControl>(*control_)
+                                ? kSinumerikProgram
+                                : kFanucProgram;
     return std::nullopt;
   }
 

@@ -13,6 +13,9 @@ inline constexpr std::string_view kProductOffset = "G54";
 
 /// The file of a plan that the sheet is.
 inline constexpr std::string_view kSheetFile = "setup.toml";
+/// Of the program, by its language.
+inline constexpr std::string_view kFanucProgram = "inspect.nc";
+inline constexpr std::string_view kSinumerikProgram = "INSPECT.MPF";
 
 /// What a set-up sheet of a plan is made from.
 struct SheetContents {

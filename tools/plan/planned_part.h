@@ -19,7 +19,7 @@ namespace g31::plan {
 struct PlannedPart {
   std::string product;        ///< its file, without its folder
   std::string control;        ///< the profile's name
-  std::string program_file;   ///< "inspect.nc", "INSPECT.MPF"
+  std::string program_file;   ///< by its language, without its folder
   session::BuiltParts built;  ///< of the sheet: the product and its fixtures
   parts::Box product_P;
   parts::RecognisedPart part;

@@ -68,34 +68,44 @@ class StepMaker {
   }
 
  private:
-  /// A round wall that has a point; null: none.
-  [[nodiscard]] const probe::PlannedRound* wall_of(std::size_t point) const {
+  /// That a cycle measures; null: the point is touched by itself.
+  [[nodiscard]] const probe::PlannedRound* round_of(std::size_t point) const {
     const auto found = std::ranges::find_if(plan_.rounds, [point](const auto& round) {
-      return std::ranges::count(round.points, point) > 0;
+      return round.by_points.empty() && std::ranges::count(round.points, point) > 0;
     });
     return found == plan_.rounds.end() ? nullptr : &*found;
   }
 
-  /// That a cycle measures; null: the point is touched by itself.
-  [[nodiscard]] const probe::PlannedRound* round_of(std::size_t point) const {
-    const probe::PlannedRound* const wall = wall_of(point);
-    return wall != nullptr && wall->by_points.empty() ? wall : nullptr;
+  /// The round wall whose diameter a measure is; null: it is none.
+  [[nodiscard]] const probe::PlannedRound* wall_across(std::size_t measure) const {
+    const auto found = std::ranges::find_if(plan_.rounds, [measure](const auto& round) {
+      return std::ranges::count(round.measures, measure) > 0;
+    });
+    const bool is_size = plan_.measures[measure].what == probe::Characteristic::Size;
+    return is_size && found != plan_.rounds.end() ? &*found : nullptr;
   }
 
-  [[nodiscard]] bool is_diameter(std::size_t measure) const {
-    return plan_.measures[measure].what == probe::Characteristic::Size &&
-           std::ranges::any_of(plan_.rounds, [measure](const auto& round) {
-             return std::ranges::count(round.measures, measure) > 0;
-           });
+  /// The point whose contact is the last that a measure needs.
+  [[nodiscard]] std::size_t last_point(std::size_t index) const {
+    const probe::PlannedMeasure& measure = plan_.measures[index];
+    const probe::PlannedRound* const wall = wall_across(index);
+    return wall != nullptr ? std::ranges::max(wall->points)
+                           : std::max(measure.first, measure.second);
   }
 
-  /// What a diameter needs beside its own contacts.
-  static void add_across(const probe::PlannedRound& round, const std::array<int, 4>& contacts,
-                         StepResult& result) {
-    const bool is_x = result.first == contacts[0] || result.first == contacts[1];
-    result.round = &round;
-    result.first_across = contacts[is_x ? 2 : 0];
-    result.second_across = contacts[is_x ? 3 : 1];
+  /// @pre its points are touched
+  [[nodiscard]] StepResult result_of(std::size_t index) const {
+    const probe::PlannedMeasure& measure = plan_.measures[index];
+    StepResult result{index, keeps_ ? static_cast<int>(index) : 0, contact_[measure.first],
+                      contact_[measure.second]};
+    if (const probe::PlannedRound* const wall = wall_across(index)) {
+      const auto& [minus_x, plus_x, minus_y, plus_y] = wall->points;
+      const bool is_x = measure.first == minus_x || measure.first == plus_x;
+      result.round = wall;
+      result.first_across = contact_[is_x ? minus_y : minus_x];
+      result.second_across = contact_[is_x ? plus_y : plus_x];
+    }
+    return result;
   }
 
   ProgramStep step_of(const probe::PlannedRound& round, std::size_t first) {
@@ -104,17 +114,10 @@ class StepMaker {
     step.feature = round.feature;
     step.round = &round;
     for (std::size_t i = 0; i < round.points.size(); ++i) {
-      step.contacts[i] = pool_.take();
+      step.contacts[i] = contact_[round.points[i]] = pool_.take();
     }
-    for (std::size_t i = 0; i < round.measures.size(); ++i) {
-      const std::size_t measure = round.measures[i];
-      const std::size_t minus = i / 2 * 2;
-      StepResult result{measure, keeps_ ? static_cast<int>(measure) : 0, step.contacts[minus],
-                        step.contacts[minus + 1]};
-      if (is_diameter(measure)) {
-        add_across(round, step.contacts, result);
-      }
-      step.results.push_back(result);
+    for (const std::size_t measure : round.measures) {
+      step.results.push_back(result_of(measure));
     }
     for (const int contact : step.contacts) {
       pool_.give_back(contact);
@@ -128,52 +131,31 @@ class StepMaker {
     step.contact = contact_[point] = pool_.take();
     for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
       const probe::PlannedMeasure& measure = plan_.measures[i];
-      if (is_diameter(i)) {
-        add_diameter(i, point, step);
+      if (measure.first == point || measure.second == point) {
+        step.feature = measure.feature;
+        step.direction_P = measure.direction_P;
       }
-      if (measure.first != point && measure.second != point) {
-        continue;
-      }
-      step.feature = measure.feature;
-      step.direction_P = measure.direction_P;
-      const int first = contact_[measure.first];
-      const int second = contact_[measure.second];
-      if (first >= 0 && second >= 0 && !is_diameter(i)) {
-        step.results.push_back({i, keeps_ ? static_cast<int>(i) : 0, first, second});
+      if (last_point(i) == point) {
+        step.results.push_back(result_of(i));
       }
     }
     for (std::size_t touched = 0; touched <= point; ++touched) {
-      if (contact_[touched] >= 0 && last_use(touched) == point) {
+      if (last_use(touched) == point) {
         pool_.give_back(contact_[touched]);
       }
     }
     return step;
   }
 
-  /// With the last of the four points of its wall.
-  void add_diameter(std::size_t index, std::size_t point, ProgramStep& step) const {
-    const probe::PlannedMeasure& measure = plan_.measures[index];
-    const probe::PlannedRound& round = *wall_of(measure.first);
-    if (point != std::ranges::max(round.points)) {
-      return;
-    }
-    std::array<int, 4> contacts{};
-    std::ranges::transform(round.points, contacts.begin(),
-                           [this](std::size_t touched) { return contact_[touched]; });
-    StepResult result{index, keeps_ ? static_cast<int>(index) : 0, contact_[measure.first],
-                      contact_[measure.second]};
-    add_across(round, contacts, result);
-    step.results.push_back(result);
-  }
-
   /// The point after which no measure needs the contact of this one.
   [[nodiscard]] std::size_t last_use(std::size_t point) const {
-    const probe::PlannedRound* const wall = wall_of(point);
-    std::size_t last = wall != nullptr ? std::ranges::max(wall->points) : point;
-    for (const probe::PlannedMeasure& measure : plan_.measures) {
-      if (measure.first == point || measure.second == point) {
-        last = std::max({last, measure.first, measure.second});
-      }
+    std::size_t last = point;
+    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
+      const probe::PlannedMeasure& measure = plan_.measures[i];
+      const probe::PlannedRound* const wall = wall_across(i);
+      const bool is_needed = measure.first == point || measure.second == point ||
+                             (wall != nullptr && std::ranges::count(wall->points, point) > 0);
+      last = is_needed ? std::max(last, last_point(i)) : last;
     }
     return last;
   }

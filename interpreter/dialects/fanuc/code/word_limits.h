@@ -33,11 +33,12 @@ inline bool fits_plain_word(const EvaluatedWord& word) {
       return true;
   }
 }
+/// Of one that does not.
+[[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word);
+
 /// D of G37, where it is a distance and no number of an offset.
 /// @param code  that takes the block's words; null: none
 bool is_measuring_distance(char letter, const GCode* code, const Profile& profile);
-/// Of one that does not.
-[[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word);
 
 /// Whether a word of a block with G65, G66 or G66.1 is an argument: not the code itself, P and L,
 /// nor, where the control has it so, a G word before G65, which takes effect first.
