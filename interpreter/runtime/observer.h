@@ -82,6 +82,7 @@ struct RecordedEvent {
 struct OutputEvent {
   std::string_view text;
   source::Location where;  ///< the block that writes it
+  bool is_text = false;    ///< source::text_as_utf8() says what is meant; else it is bytes
 };
 
 /// Hears what a running program does, in order.  Whoever runs the program decides what becomes of

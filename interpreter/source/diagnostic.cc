@@ -7,6 +7,7 @@
 
 #include "interpreter/source/printable.h"
 #include "machine/base/contract.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::source {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::size_t kShownColumns = 120;
 /// The source line and the marker under it.
 std::string excerpt(const ShownPlace& place, std::size_t length) {
   const std::string_view whole = place.text;
-  const std::size_t before = static_cast<std::size_t>(place.column) - 1;
+  const std::size_t before = bytes_before(place);
   const std::size_t cut = before > kShownColumns / 2 ? before - kShownColumns / 2 : 0;
   const std::size_t from = whole.size() > kShownColumns ? std::min(cut, whole.size()) : 0;
   const std::string_view line = whole.substr(from, kShownColumns);

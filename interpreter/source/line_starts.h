@@ -6,7 +6,7 @@
 
 namespace g31::source {
 
-/// 1-based, columns counted in bytes, as compilers and editors print them.
+/// 1-based, columns counted in bytes.
 struct LineColumn {
   int line = 1;
   int column = 1;

@@ -1,8 +1,8 @@
 #include "interpreter/source/printable.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include "machine/base/utf_8.h"
 
 namespace g31::source {
 namespace {
@@ -11,31 +11,15 @@ constexpr unsigned byte_of(char c) {
   return static_cast<unsigned char>(c);
 }
 
-constexpr bool is_continuation(char c) {
-  return (byte_of(c) & 0xC0U) == 0x80U;
-}
-
 constexpr bool is_printable_ascii(char c) {
   return byte_of(c) >= 0x20 && byte_of(c) < 0x7F;
 }
 
-/// Bytes of the character beyond ASCII that begins the text; 0 when none does.
-std::size_t utf8_length(std::string_view text) {
-  const unsigned lead = byte_of(text[0]);
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) {
-    return 0;
-  }
-  const std::string_view rest = text.substr(1, length - 1);
-  if (!std::all_of(rest.begin(), rest.end(), is_continuation)) {
-    return 0;
-  }
-  const unsigned second = byte_of(text[1]);
-  const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-  const bool surrogate = lead == 0xED && second >= 0xA0;
-  const bool beyond = lead == 0xF4 && second >= 0x90;
-  const bool control = lead == 0xC2 && second < 0xA0;  // C1: some terminals obey it
-  return overlong || surrogate || beyond || control ? 0 : length;
+/// Bytes of the character beyond ASCII that begins the text and that a terminal may have; 0: none.
+std::size_t length_beyond_ascii(std::string_view text) {
+  const auto [length, is_character] = utf_8_piece(text);
+  const bool is_control = text.size() > 1 && byte_of(text[0]) == 0xC2 && byte_of(text[1]) < 0xA0;
+  return is_character && length > 1 && !is_control ? length : 0;  // C1: some terminals obey it
 }
 
 }  // namespace
@@ -47,7 +31,7 @@ std::string printable(std::string_view text) {
     std::size_t length = 1;
     if (is_printable_ascii(text[0])) {
       shown.push_back(text[0]);
-    } else if (const std::size_t bytes = utf8_length(text); bytes > 0) {
+    } else if (const std::size_t bytes = length_beyond_ascii(text); bytes > 0) {
       length = bytes;
       shown.append(text.substr(0, length));
     } else {
@@ -56,10 +40,6 @@ std::string printable(std::string_view text) {
     text.remove_prefix(length);
   }
   return shown;
-}
-
-std::size_t character_count(std::string_view text) {
-  return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, is_continuation));
 }
 
 std::string quoted(char c) {

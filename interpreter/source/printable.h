@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,9 +8,6 @@ namespace g31::source {
 /// A text as a terminal may have it: UTF-8 stays, a tab becomes a blank; control characters and
 /// bytes that are no UTF-8 (comments in Shift-JIS or Latin-1) become `?`, one for each byte.
 std::string printable(std::string_view text);
-
-/// How many characters a printable text has; wide ones count as one.
-std::size_t character_count(std::string_view text);
 
 /// A character for a message: 'A', or its byte where it cannot be shown.
 std::string quoted(char c);

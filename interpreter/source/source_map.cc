@@ -6,9 +6,13 @@
 #include <utility>
 
 #include "machine/base/contract.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::source {
 namespace {
+
+/// Of the first line no part, as editors have it.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::size_t hash_of(std::string_view text) {
   return std::hash<std::string_view>()(text);
@@ -18,13 +22,22 @@ std::size_t hash_of(std::string_view text) {
 ShownPlace shown(const std::string& name, std::string_view text, const LineStarts& lines,
                  std::size_t offset, int first_line) {
   const LineColumn place = lines.at(offset);
-  const std::size_t begin = offset - (static_cast<std::size_t>(place.column) - 1);
-  const std::string_view rest = text.substr(begin);
-  return {name, place.line + first_line - 1, place.column,
+  std::size_t before = static_cast<std::size_t>(place.column) - 1;
+  std::string_view rest = text.substr(offset - before);
+  if (place.line + first_line == 2 && rest.starts_with(kByteOrderMark)) {
+    rest.remove_prefix(kByteOrderMark.size());
+    before -= std::min(before, kByteOrderMark.size());
+  }
+  return {name, place.line + first_line - 1,
+          1 + static_cast<int>(character_count(rest.substr(0, before))),
           std::string(rest.substr(0, rest.find_first_of("\r\n")))};
 }
 
 }  // namespace
+
+std::size_t bytes_before(const ShownPlace& place) {
+  return bytes_of_characters(place.text, static_cast<std::size_t>(std::max(place.column, 1)) - 1);
+}
 
 FileId SourceMap::add(const std::string& name) {
   G31_EXPECTS(last_ != ~std::uint32_t{0});

@@ -22,9 +22,12 @@ namespace g31::source {
 struct ShownPlace {
   std::string file;  ///< as it was opened; empty: no place
   int line = 0;      ///< from 1; 0: the text is no longer to be had
-  int column = 0;    ///< from 1, in bytes
-  std::string text;  ///< of the line, without its end
+  int column = 0;    ///< from 1, in characters as character_count() counts them
+  std::string text;  ///< of the line, without its end and a byte order mark
 };
+
+/// Of the line, in front of the place.
+std::size_t bytes_before(const ShownPlace& place);
 
 /// The files of a set of programs, with what their places need to be shown: name and text, or for
 /// windows of long files the way to read them again.  Line and column are computed when a place is

@@ -1,5 +1,7 @@
 #include "machine/base/utf_8.h"
 
+#include <algorithm>
+
 namespace g31 {
 namespace {
 
@@ -41,6 +43,30 @@ Utf8Piece utf_8_piece(std::string_view bytes) {
     }
   }
   return {whole, true};
+}
+
+std::size_t character_count(std::string_view bytes) {
+  const auto is_ascii = [](char c) { return static_cast<Byte>(c) < 0x80; };
+  const auto first = std::ranges::find_if_not(bytes, is_ascii);
+  auto count = static_cast<std::size_t>(first - bytes.begin());
+  bytes.remove_prefix(count);
+  while (!bytes.empty()) {
+    const auto [length, is_character] = utf_8_piece(bytes);
+    count += is_character ? 1 : length;
+    bytes.remove_prefix(length);
+  }
+  return count;
+}
+
+std::size_t bytes_of_characters(std::string_view bytes, std::size_t characters) {
+  std::size_t begin = 0;
+  while (characters > 0 && begin < bytes.size()) {
+    const auto [length, is_character] = utf_8_piece(bytes.substr(begin));
+    const std::size_t count = is_character ? 1 : std::min(length, characters);
+    begin += is_character ? length : count;
+    characters -= count;
+  }
+  return begin;
 }
 
 std::string as_valid_utf_8(std::string_view bytes) {

@@ -17,6 +17,13 @@ struct Utf8Piece {
 /// REQUIRES: there is at least one byte.
 Utf8Piece utf_8_piece(std::string_view bytes);
 
+/// How many characters a text has; of what is none, each byte counts as one.
+std::size_t character_count(std::string_view bytes);
+
+/// How many bytes so many characters have at its beginning, as character_count() counts them; of a
+/// text that has fewer, all.
+std::size_t bytes_of_characters(std::string_view bytes, std::size_t characters);
+
 /// The text with U+FFFD in place of each piece that is no character, as our JSON documents have it:
 /// what a file is called may be any bytes.
 std::string as_valid_utf_8(std::string_view bytes);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/base/utf_8.h"
+
 namespace g31::source::printable_test {
 namespace {
 
@@ -36,7 +38,7 @@ TEST(Printable, KeepsTextAndHidesTheRest) {
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(printable(c.text), c.shown);
-    EXPECT_EQ(character_count(printable(c.text)), c.characters);
+    EXPECT_EQ(character_count(c.shown), c.characters);
   }
 }
 

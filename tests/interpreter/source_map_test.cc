@@ -36,12 +36,25 @@ const std::string kText =
     "\xEF\xBB\xBFO1 (M\xC3\xA4rz)\r\n\nG1 X1.\rX2.\r\r\nN3\tG4 X\xFF\xFE\n"
     "(\xE2\x82\xAC \xF0\x9F\x94\xA7)\n\n\n  #1=#2\nM30";
 
-/// The same, counted byte by byte.
+bool continues(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// How many bytes of kText's character that begins so.
+std::size_t length_of(char lead) {
+  const auto byte = static_cast<unsigned char>(lead);
+  return byte < 0xC0 || byte > 0xF4 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+}
+
+/// The same, counted byte by byte; of a character that the place lies in, each byte before it.
 ShownPlace counted(const std::string& name, std::string_view text, std::size_t offset) {
   ShownPlace place{name, 1, 1, {}};
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < offset; ++i) {
-    ++place.column;
+  std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  std::size_t character = begin;
+  for (std::size_t i = begin; i < offset; ++i) {
+    character = continues(text[i]) ? character : i;
+    const bool is_cut = character + length_of(text[character]) > offset;
+    place.column += continues(text[i]) && !is_cut ? 0 : 1;
     if (text[i] == '\n') {
       ++place.line;
       place.column = 1;
@@ -104,8 +117,8 @@ TEST(SourceMap, ShowsAPlaceAsAPersonWouldCountIt) {
   };
   expect_equal(shown("O1\r\nG1 X1\r\n", "X1"), {"x", 2, 4, "G1 X1"});
   expect_equal(shown("O1\rG1 X1\rM30\n", "X1"), {"x", 1, 7, "O1"});
-  expect_equal(shown("\xEF\xBB\xBFO1\n", "O1"), {"x", 1, 4, "\xEF\xBB\xBFO1"});
-  expect_equal(shown("(\xC3\xA4)X1\n", "X1"), {"x", 1, 5, "(\xC3\xA4)X1"});
+  expect_equal(shown("\xEF\xBB\xBFO1\n", "O1"), {"x", 1, 1, "O1"});
+  expect_equal(shown("(\xC3\xA4)X1\n", "X1"), {"x", 1, 4, "(\xC3\xA4)X1"});
   expect_equal(shown("O1\n\n", ""), {"x", 1, 1, "O1"});
 }
 

@@ -1,6 +1,9 @@
 #include "machine/base/utf_8.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +43,22 @@ TEST(Utf8, PiecesAreWholeCharactersOrWhatNothingCompletes) {
     }
   }
   EXPECT_EQ(as_valid_utf_8(""), "");
+}
+
+TEST(Utf8, CharactersAreCountedAndEachByteOfWhatIsNone) {
+  struct Case {
+    std::string text;
+    std::vector<std::size_t> begins;  // of each character, and the end
+  };
+  for (const Case& c : {Case{"", {0}}, Case{"ab", {0, 1, 2}}, Case{"a\xC3\xA4z", {0, 1, 3, 4}},
+                        Case{"\xE6\x97\xA5\xF0\x9F\x94\xA7", {0, 3, 7}},
+                        Case{"\xFF\xE6\x97Z", {0, 1, 2, 3, 4}}, Case{"a\xE6\x97", {0, 1, 2, 3}}}) {
+    EXPECT_EQ(character_count(c.text), c.begins.size() - 1) << c.text;
+    for (std::size_t i = 0; i < c.begins.size() + 2; ++i) {
+      EXPECT_EQ(bytes_of_characters(c.text, i), c.begins[std::min(i, c.begins.size() - 1)])
+          << c.text;
+    }
+  }
 }
 
 }  // namespace

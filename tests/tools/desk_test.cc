@@ -260,6 +260,20 @@ TEST(Events, OnStandardOutputAreAlone) {
   EXPECT_EQ(run_of("a.nc", "O1\nM30\n", {"--jsonl", "-", "--json", "-"}).exit_code, 2);
 }
 
+TEST(Events, HaveTheCharactersOfAMessage) {
+  const std::string program =
+      "DEF STRING[40] S=\"\u65E5\u672C\"\nMSG(\"\u0141\u00D3D\u0179 \u00D8\u00B10.1 \"<<S)\nM30\n";
+  const std::string text = "\u0141\u00D3D\u0179 \u00D8\u00B10.1 \u65E5\u672C\n";
+  const auto events = events_of(run_of("a.mpf", program, {"--jsonl", "-"}).out);
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events.at(1).at("text"), text);
+  const CommandOutput said = run_of("a.mpf", program, {"--json", "-", "--print", "S"});
+  const auto document = nlohmann::json::parse(said.out);
+  EXPECT_EQ(document.at("output"), text);
+  EXPECT_EQ(document.at("variables").at("S"), "\u65E5\u672C");
+  EXPECT_EQ(said.errors.substr(0, text.size()), text);
+}
+
 TEST(Events, OfARunThatCannotBegin) {
   const TemporaryFolder folder;
   const std::string path = folder.path("e.jsonl");

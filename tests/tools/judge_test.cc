@@ -92,6 +92,20 @@ TEST(Judge, WithoutAToleranceTakesEveryValue) {
   EXPECT_EQ(judge("", R"({"id": "D", "nominal": 25.0})").exit_code, 1) << "but it has to come";
 }
 
+TEST(Judge, TellsWhatIsGoodForWantOfATolerance) {
+  const TemporaryFolder folder;
+  cli::JudgeOptions options;
+  options.plan = folder.write("plan.json", plan_of(R"({"id": "D", "nominal": 25.0},
+      {"id": "E", "nominal": 1.0, "tolerance": [-0.1, 0.1]})"));
+  options.results = folder.write("results.txt", "D 999.0 E 1.05\n");
+  const CommandOutput output = captured([&] { return cli::judge_command(options); });
+  EXPECT_EQ(output.exit_code, 0) << output.out;
+  EXPECT_NE(output.out.find("  -                     good (no tolerance)\n"), std::string::npos)
+      << output.out;
+  EXPECT_TRUE(output.out.ends_with("2 of 2 good (1 without a tolerance), 0 bad, 0 missing\n"))
+      << output.out;
+}
+
 TEST(Judge, UsesThePrintedNameOfThePlan) {
   const std::string measures = R"({"id": "a_b", "printed": "A-B", "nominal": 1},
     {"id": "a-b", "printed": "A-B-2", "nominal": 2})";

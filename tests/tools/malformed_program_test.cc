@@ -164,7 +164,7 @@ const Case kAlarms[] = {
     {"comment to the end", "O1\n(ABC", 3, "", "ends without M30"},
     {"CR LF", "%\r\nO1\r\nG0X1.\r\n#1=1/0\r\nM30\r\n", 3, "4:4", "    4 | #1=1/0\n"},
     {"CR alone", "%\rO1\rG0X1.\r#1=1/0\rM30\r", 3, "4:4", "    4 | #1=1/0\n"},
-    {"marker behind UTF-8", framed("(gr\u00F6\u00DFe)#1=1/0"), 3, "2:13",
+    {"marker behind UTF-8", framed("(gr\u00F6\u00DFe)#1=1/0"), 3, "2:11",
      "    2 | (gr\u00F6\u00DFe)#1=1/0\n      |           ^~~"},
     {"marker behind Shift-JIS", framed("(\x83\x5C\x91\xAA)#1=1/0"), 3, "2:10",
      "    2 | (?\\?\?)#1=1/0\n      |          ^~~"},

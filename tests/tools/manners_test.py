@@ -220,6 +220,56 @@ class Manners(unittest.TestCase):
             self.assertEqual(run.returncode, 2, words)
             self.assertIn("cannot write", run.stderr)
 
+    def test_every_command_that_is_refused_writes_its_document(self):
+        (self.folder / "plan.json").write_text('{"schema": "g31.plan/1", "measures": [{"id": "D", "nominal": 1}]}')
+        (self.folder / "p.nc").write_text(RUNS)
+        for words, schema, code in (
+            (("judge", "plan.json", "p.nc", "--wait", "0"), "judgement", 2),
+            (("check", "p.nc", "--disable", "ZZ"), "check", 2),
+            (("check", "p.nc", "--baseline", "none.json"), "check", 2),
+            (("check", "p.nc", "--fail-on", "none"), "check", 2),
+            (("explain", "G31", "--control", "none"), "explain", 5),
+            (("explain", "G31", "--controll", "haas"), "explain", 2),
+            (("setup",), "setup", 2),
+            (("study", "none.toml", "--threads", "0"), "study", 2),
+            (("evaluate", "circle", "p.nc", "--none"), "evaluation", 2),
+            (("scene", "p.nc"), "scene", 2),
+            (("plan", "none.step", "--stock", "box", "-o", "out"), "plan", 2),
+            (("plan", "none.step", "--stock", "box"), "plan", 2),
+            (("run", "p.nc", "--seed", "x"), "run", 2)):
+            for places in (("--json", "out.json"), ("--json=out.json",)):
+                run = self.g31(*words, *places)
+                self.assertEqual(run.returncode, code, (words, run.stderr))
+                document = json.loads((self.folder / "out.json").read_text())
+                kept_documents.keep(json.dumps(document))
+                self.assertEqual((document["schema"], document["exit_code"]), (f"g31.{schema}/1", code), words)
+                self.assertNotEqual(document["diagnostics"][0]["message"], "", words)
+                (self.folder / "out.json").unlink()
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_refused_words_take_no_place_of_what_they_name(self):
+        text = '{"schema": "g31.plan/1", "measures": [{"id": "D", "nominal": 1}]}'
+        (self.folder / "plan.json").write_text(text)
+        for words in (("judge", "plan.json", "r.txt", "--wait", "0", "--json", "plan.json"),
+                      ("study", "--merge", "plan.json", "--threads", "0", "--json=./plan.json"),
+                      ("run", "p.nc", "--setup=plan.json", "--seed", "x", "--json", "plan.json")):
+            # Not kept: what stays there is no document of g31.
+            self.assertEqual(subprocess.run([G31, *words], cwd=self.folder, capture_output=True).returncode, 2)
+            self.assertEqual((self.folder / "plan.json").read_text(), text, words)
+        self.g31("explain", "--json", "#500", "--controll", "haas")
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["plan.json"])
+
+    def test_every_command_takes_quiet(self):
+        words = self.g31("--help").stdout.split("Subcommands:")[1].split("Exit codes")[0]
+        commands = [line.split()[0] for line in words.splitlines() if line.startswith("  ") and line[2] != " "]
+        self.assertGreater(len(commands), 10)
+        for command in commands:
+            self.assertIn("-q,--quiet", self.g31(command, "--help").stdout, command)
+
+    def test_a_plan_writes_its_document_where_json_says(self):
+        run = self.g31("plan", str(PRODUCT), "--stock", "box", "-o", "plan", "--json", "-", "-q")
+        self.assertEqual((run.returncode, run.stdout), (0, (self.folder / "plan/plan.json").read_text()), run.stderr)
+
     def test_explain_writes_its_document_where_json_says(self):
         beside = self.g31("explain", "G31", "--json").stdout
         for words in (("--json", "-"), ("--json=-",)):

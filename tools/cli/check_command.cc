@@ -45,7 +45,9 @@ std::string list_of_rules() {
   return text;
 }
 
-/// What the command line says that is wrong; nullopt: nothing.
+constexpr std::string_view kSchema = "g31.check/1";
+
+/// What the command line says that is wrong, but for the place of the document; nullopt: nothing.
 std::optional<session::Refusal> why_not(const CheckOptions& options) {
   for (const std::string& rule : options.disabled) {
     if (const auto wrong = check::why_no_rule(rule)) {
@@ -58,15 +60,11 @@ std::optional<session::Refusal> why_not(const CheckOptions& options) {
       return wrong;
     }
   }
-  std::vector<std::string> baselines;
-  if (!options.baseline.empty()) {
-    baselines.push_back(options.baseline);
-  }
   if (options.baseline == "-" && std::ranges::find(options.files, "-") != options.files.end()) {
     return session::bad_input(
         "standard input cannot be both a program and the baseline: name a file");
   }
-  return wrong_place({{"--json", options.json}}, {options.files, options.setups, baselines});
+  return std::nullopt;
 }
 
 /// The earlier findings that nobody wants to hear again; without a baseline none.
@@ -177,19 +175,23 @@ ExitCode list_rules(const CheckOptions& options) {
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
-  if (const auto wrong = why_not(options)) {
+  if (const auto wrong = wrong_place({{"--json", options.json}},
+                                     {options.files, options.setups, {options.baseline}})) {
     return refuse(*wrong);
+  }
+  if (const auto wrong = why_not(options)) {
+    return refuse(*wrong, options.json, kSchema);
   }
   if (options.lists_rules) {
     return list_rules(options);
   }
   const auto baseline = baseline_of(options);
   if (!baseline) {
-    return refuse(baseline.error());
+    return refuse(baseline.error(), options.json, kSchema);
   }
   const auto requested = request_of(options);
   if (!requested) {
-    return refuse(requested.error(), options.json, "g31.check/1");
+    return refuse(requested.error(), options.json, kSchema);
   }
   check::Request request = requested.value();
   disk::Disk disk;
@@ -197,7 +199,7 @@ ExitCode check_command(const CheckOptions& options) {
   source::SourceMap sources(remembering);
   check::Findings checked;
   {
-    Progress progress(request.paths.files.size(), "files", shows_progress(options.quiet));
+    Progress progress(request.paths.files.size(), "files", shows_progress(options.is_quiet));
     request.file_done = [&] { progress.one_done(); };
     checked = check::check(request, sources);
   }

@@ -22,8 +22,8 @@ struct CheckOptions {
   source::Severity fail_on = source::Severity::Warning;
   std::string baseline = {};  ///< an earlier document; "": none
   bool lists_rules = false;
-  bool quiet = false;   ///< no progress
-  std::string version;  ///< of g31
+  bool is_quiet = false;  ///< no progress
+  std::string version;    ///< of g31
 };
 
 /// Prints what is wrong with programs as far as it can be told without running them.

@@ -75,12 +75,12 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
       *check, options.fail_on,
       "lowest level at which a finding gives exit code 1: error, warning (default), note");
   auto* const rules = check->add_flag("--rules", options.lists_rules, "list the rules");
-  check->add_flag("-q,--quiet", options.quiet, "no progress on a terminal");
   check->callback([files, rules] {
     if (files->empty() && rules->empty()) {
       throw CLI::RequiredError("FILE or --rules");
     }
   });
+  add_quiet_option(*check, options.is_quiet);
   return check;
 }
 

@@ -16,6 +16,7 @@
 
 #include "tools/cli/check_command.h"
 #include "tools/cli/check_options.h"
+#include "tools/cli/control_and_level_options.h"
 #include "tools/cli/evaluate_command.h"
 #include "tools/cli/evaluate_options.h"
 #include "tools/cli/exit_code_help.h"
@@ -28,11 +29,13 @@
 #include "tools/cli/mistyped.h"
 #include "tools/cli/new_command.h"
 #include "tools/cli/new_options.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/pages_command.h"
 #include "tools/cli/pages_options.h"
 #include "tools/cli/plan_command.h"
 #include "tools/cli/plan_options.h"
 #include "tools/cli/read_command_words.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
 #include "tools/cli/run_refusal.h"
@@ -62,6 +65,7 @@ namespace {
 struct Options {
   bool is_version_asked = false;
   bool is_version_json = false;
+  bool is_quiet = false;  ///< of commands that have no progress to show
   RunOptions run;
   ViewOptions view;
   ExplainOptions explain;
@@ -79,7 +83,8 @@ struct Options {
 /// A command of g31, and what does its work.
 struct Command {
   CLI::App* words;
-  bool lasts;  ///< it ends itself when it is interrupted
+  bool lasts;               ///< it ends itself when it is interrupted
+  std::string_view schema;  ///< of its document; "": it has none
   std::function<ExitCode()> run;
 };
 
@@ -89,37 +94,38 @@ constexpr bool kIsShort = false;
 /// Tells CLI11 of every command, in the order of --help.
 std::vector<Command> add_commands(CLI::App& app, Options& options, const std::string& version) {
   std::vector<Command> commands;
-  const auto add = [&](bool lasts, CLI::App* words, const std::string& examples,
-                       std::function<ExitCode()> run) {
+  const auto add = [&](bool lasts, std::string_view schema, CLI::App* words,
+                       const std::string& examples, std::function<ExitCode()> run) {
     words->footer(examples + exit_code_help());
-    commands.push_back({words, lasts, std::move(run)});
+    add_quiet_option(*words, options.is_quiet);
+    commands.push_back({words, lasts, schema, std::move(run)});
   };
   const auto words = [&app, version] { return read_command_words(app, version); };
-  add(kLasts, add_run_command(app, options.run), run_examples(),
+  add(kLasts, "g31.run/1", add_run_command(app, options.run), run_examples(),
       [&options] { return run_command(options.run); });
-  add(kLasts, add_view_command(app, options.view), view_examples(),
+  add(kLasts, {}, add_view_command(app, options.view), view_examples(),
       [&options] { return view_command(options.view); });
-  add(kIsShort, add_explain_command(app, options.explain), explain_examples(),
+  add(kIsShort, "g31.explain/1", add_explain_command(app, options.explain), explain_examples(),
       [&options] { return explain_command(options.explain); });
-  add(kLasts, add_scene_command(app, options.scene), scene_examples(),
+  add(kLasts, "g31.scene/1", add_scene_command(app, options.scene), scene_examples(),
       [&options] { return scene_command(options.scene); });
-  add(kLasts, add_study_command(app, options.study), study_examples(),
+  add(kLasts, "g31.study/1", add_study_command(app, options.study), study_examples(),
       [&options] { return study_command(options.study); });
-  add(kIsShort, add_check_command(app, options.check), check_examples(),
+  add(kIsShort, "g31.check/1", add_check_command(app, options.check), check_examples(),
       [&options] { return check_command(options.check); });
-  add(kIsShort, add_setup_command(app, options.setup), setup_examples(),
+  add(kIsShort, "g31.setup/1", add_setup_command(app, options.setup), setup_examples(),
       [&options] { return setup_command(options.setup); });
-  add(kIsShort, add_new_command(app, options.starter), new_examples(),
+  add(kIsShort, {}, add_new_command(app, options.starter), new_examples(),
       [&options] { return new_command(options.starter); });
-  add(kLasts, add_evaluate_command(app, options.evaluate), evaluate_examples(),
+  add(kLasts, "g31.evaluation/1", add_evaluate_command(app, options.evaluate), evaluate_examples(),
       [&options] { return evaluate_command(options.evaluate); });
-  add(kLasts, add_plan_command(app, options.plan), plan_examples(),
+  add(kLasts, "g31.plan/1", add_plan_command(app, options.plan), plan_examples(),
       [&options] { return plan_command(options.plan); });
-  add(kLasts, add_judge_command(app, options.judge), judge_examples(),
+  add(kLasts, "g31.judgement/1", add_judge_command(app, options.judge), judge_examples(),
       [&options] { return judge_command(options.judge); });
-  add(kIsShort, add_completion_command(app, options.pages), completion_examples(),
+  add(kIsShort, {}, add_completion_command(app, options.pages), completion_examples(),
       [&options, words] { return completion_command(words(), options.pages); });
-  add(kIsShort, add_manual_command(app, options.pages), manual_examples(),
+  add(kIsShort, {}, add_manual_command(app, options.pages), manual_examples(),
       [&options, words] { return manual_command(words(), options.pages); });
   return commands;
 }
@@ -146,22 +152,51 @@ void take_interruptions(Options& options) {
       options.plan.interruption = options.judge.interruption = &interruption;
 }
 
-/// Where the words of a `run` that CLI11 has refused want the document; "": nowhere.
-std::string json_of_run(std::span<const char* const> words) {
+/// Where refused words want the document, "": nowhere, and the others, which may name files too.
+/// What stands behind --json may be no place: another option, or of `explain` a topic.
+struct RefusedWords {
+  std::string json;
+  std::vector<std::string> others;
+};
+
+RefusedWords refused_words(std::span<const std::string> words) {
   constexpr std::string_view kOption = "--json";
-  if (words.size() < 2 || words[1] != std::string_view("run")) {
-    return {};
-  }
-  for (std::size_t i = 2; i < words.size(); ++i) {
-    const std::string_view word = words[i];
-    if (word == kOption && i + 1 < words.size()) {
-      return words[i + 1];
+  RefusedWords refused;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::size_t value = word.starts_with("--") ? word.find('=') + 1 : 0;
+    const std::string next = i + 1 < words.size() ? words[i + 1] : "";
+    const bool is_place = words.front() == "explain" ? next.ends_with(".json")
+                                                     : !next.starts_with('-') || next == "-";
+    if (word == kOption && is_place) {
+      refused.json = next;
+      ++i;
+    } else if (value == kOption.size() + 1 && word.starts_with(kOption)) {
+      refused.json = word.substr(value);
+    } else {
+      refused.others.push_back(word.substr(value));
     }
-    if (word.starts_with(kOption) && word.substr(kOption.size()).starts_with('=')) {
-      return std::string(word.substr(kOption.size() + 1));
-    }
   }
-  return {};
+  return refused;
+}
+
+/// The document of words that are refused, where they want one.
+void tell_refused_words(const std::vector<Command>& commands, const Options& options,
+                        std::span<const std::string> words, const std::string& why) {
+  const auto asked = std::ranges::find_if(commands, [&](const Command& command) {
+    return !words.empty() && command.words->get_name() == words.front();
+  });
+  const auto [json, others] = refused_words(words);
+  if (asked == commands.end() || asked->schema.empty() || json.empty()) {
+    return;
+  }
+  if (const auto wrong = wrong_place({{"--json", json}}, {others})) {
+    refuse(*wrong);
+  } else if (asked->words->get_name() == "run") {
+    tell_usage_error(options.run, json, why);
+  } else if (const auto unwritten = write_refusal(session::bad_input(why), json, asked->schema)) {
+    refuse(*unwritten);
+  }
 }
 
 }  // namespace
@@ -190,8 +225,7 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
       }
     }
     std::fputs(hint.c_str(), stderr);
-    tell_usage_error(options.run, json_of_run({argv, static_cast<std::size_t>(argc)}),
-                     error.what());
+    tell_refused_words(commands, options, words, error.what());
     return ExitCode::BadUsage;
   }
   if (options.is_version_asked) {

@@ -71,7 +71,7 @@ std::string shown_value(const runtime::ShownValue& value) {
           [](runtime::Cell cell) {
             return cell.is_vacant() ? std::string("vacant") : fmt::format("{}", cell.raw());
           },
-          [](const std::string& text) { return fmt::format("\"{}\"", source::as_utf8(text)); },
+          [](const std::string& text) { return fmt::format("\"{}\"", source::text_as_utf8(text)); },
       },
       value);
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/control_and_level_options.h"
 #include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
@@ -16,7 +17,6 @@ void add_limits(CLI::App& command, EvaluateOptions& options) {
       ->type_name("S")
       ->check(why_no_time);
   add_max_output(command, options.max_output, "all files that are written, together");
-  command.add_flag("-q,--quiet", options.is_quiet, "no progress on a terminal");
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->allow_extra_args(false);
   command
       ->add_option("--unit", options.unit,
-                   "unit unit of the file's lengths: mm (default), um, nm, m, inch")
+                   "unit of the file's lengths: mm (default), um, nm, m, inch")
       ->type_name("UNIT")
       ->check(why_no_word);
   add_limits(*command, options);
@@ -64,6 +64,7 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
         ->type_name(std::string(row.value))
         ->check(why_no_word);
   }
+  add_quiet_option(*command, options.is_quiet);
   return command;
 }
 

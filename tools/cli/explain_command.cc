@@ -11,6 +11,7 @@
 #include "interpreter/runtime/reference.h"
 #include "machine/base/letters.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/write_out.h"
 #include "tools/manual/manual.h"
 #include "tools/manual/pages.h"
@@ -197,7 +198,7 @@ ExitCode explain_command(const ExplainOptions& options) {
   const auto control = options.control.empty() ? session::default_control()
                                                : session::control_named(options.control);
   if (!control) {
-    return refuse(session::bad_setup(control.error()));
+    return refuse(session::bad_setup(control.error()), options.json, "g31.explain/1");
   }
   Answer answer;
   if (options.all) {

@@ -12,6 +12,8 @@
 #include "tools/cli/interruption.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/progress.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/shown_command.h"
@@ -62,6 +64,44 @@ class FolderBeside {
   std::string path_;
 };
 
+/// How far planning is, on a terminal.
+class PlanProgress {
+ public:
+  explicit PlanProgress(bool shows) : shows_(shows) {}
+
+  /// @param touches  of the program; 0: not known
+  void go_on(plan::PlanWork work, std::size_t touches) {
+    if (!progress_ || work != work_) {
+      end();
+      work_ = work;
+      progress_.emplace(touches, name_of(work), shows_);
+    }
+    progress_->one_done();
+  }
+
+  /// The line is gone until the work goes on.
+  void end() { progress_.reset(); }
+
+ private:
+  static std::string name_of(plan::PlanWork work) {
+    switch (work) {
+      case plan::PlanWork::Features:
+        return "looking for features";
+      case plan::PlanWork::Proof:
+        return "touches on the part as drawn";
+      case plan::PlanWork::ProofAsMachined:
+        return "touches on the part as machined";
+      case plan::PlanWork::Page:
+        return "touches for plan.html";
+    }
+    return {};
+  }
+
+  bool shows_;
+  plan::PlanWork work_ = plan::PlanWork::Features;
+  std::optional<Progress> progress_;
+};
+
 std::string command_of(const PlanOptions& options) {
   ShownCommand command("g31 plan");
   command.add(options.product);
@@ -89,11 +129,12 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 /// The page of the run that proves the program, with what the plan adds.
 std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned,
-                    const FolderBeside& folder) {
+                    const FolderBeside& folder, PlanProgress& progress) {
   std::string html;
   Watch watch;
   watch.take = [&html](std::string page) { html = std::move(page); };
   watch.looked = [](const std::string& /*path*/) {};
+  watch.touched = [&] { progress.go_on(plan::PlanWork::Page, planned.program.touches); };
   RunOptions run;
   run.version = options.version;
   run.programs = {folder.path(planned.program_file)};
@@ -114,6 +155,7 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
     page::add_plan(planned, command_of(options), report);
   };
   run_command(run);
+  progress.end();
   return html;
 }
 
@@ -153,6 +195,39 @@ std::string next_command(const PlanOptions& options, const plan::PlannedPart& pl
   return "now: " + command.line() + "\n";
 }
 
+/// Plans in a folder whose files are handed over later; a refusal names the folder that
+/// they get to.
+Result<plan::PlannedPart, Refusal> plan_in(const FolderBeside& made, const PlanOptions& options,
+                                           PlanProgress& progress) {
+  plan::PlanRequest request;
+  request.product = options.product;
+  request.stock = options.stock;
+  request.control = options.control;
+  request.sheet = options.setup;
+  request.tolerance_mm = options.tolerance_mm;
+  request.as_machined = options.as_machined;
+  request.by_points = options.by_points;
+  request.folder = made.path();
+  request.interruption = options.interruption;
+  request.watch = [&progress](plan::PlanWork work, std::size_t touches) {
+    progress.go_on(work, touches);
+  };
+  auto planned = plan::plan_part(request);
+  progress.end();
+  if (planned) {
+    return planned;
+  }
+  const std::string folder = fs::path(options.folder).string();
+  Refusal wrong = planned.error();
+  replace_all(wrong.message, made.path(), folder);
+  for (setup::SetupError& error : wrong.sheet_errors) {
+    for (std::string* const text : {&error.file, &error.message}) {
+      replace_all(*text, made.path(), folder);
+    }
+  }
+  return wrong;
+}
+
 Wrong wrong_folder(const PlanOptions& options) {
   std::error_code unreadable;
   if (fs::exists(options.folder, unreadable) && !fs::is_directory(options.folder, unreadable)) {
@@ -162,6 +237,7 @@ Wrong wrong_folder(const PlanOptions& options) {
   for (const char* const name : {"plan.json", "plan.html", "setup.toml"}) {
     outputs.push_back({"-o", (fs::path(options.folder) / name).string()});
   }
+  outputs.push_back({"--json", options.json});
   return wrong_place(outputs,
                      {{options.product, options.stock, options.setup, options.as_machined}});
 }
@@ -175,42 +251,30 @@ ExitCode plan_command(const PlanOptions& options) {
     }
   }
   catch_termination();
+  const auto refused = [&options](const Refusal& wrong) {
+    return refuse(wrong, options.json, "g31.plan/1");
+  };
   const auto made = FolderBeside::make(options.folder);
   if (!made) {
-    return refuse(made.error());
+    return refused(made.error());
   }
-  plan::PlanRequest request;
-  request.product = options.product;
-  request.stock = options.stock;
-  request.control = options.control;
-  request.sheet = options.setup;
-  request.tolerance_mm = options.tolerance_mm;
-  request.as_machined = options.as_machined;
-  request.by_points = options.by_points;
-  request.folder = made.value()->path();
-  request.interruption = options.interruption;
-  const auto planned = plan::plan_part(request);
+  PlanProgress progress(shows_progress(options.is_quiet));
+  const auto planned = plan_in(*made.value(), options, progress);
   if (!planned) {
-    Refusal wrong = planned.error();
-    const std::string folder = fs::path(options.folder).string();
-    replace_all(wrong.message, made.value()->path(), folder);
-    for (setup::SetupError& error : wrong.sheet_errors) {
-      for (std::string* const text : {&error.file, &error.message}) {
-        replace_all(*text, made.value()->path(), folder);
-      }
-    }
-    return refuse(wrong);
+    return refused(planned.error());
   }
   std::string notes = planned.value().notes;
   replace_all(notes, made.value()->path(), fs::path(options.folder).string());
   std::fputs(notes.c_str(), stderr);
   const std::string document = plan::plan_document(planned.value());
-  const std::string html = page_of(options, planned.value(), *made.value());
+  const std::string html = page_of(options, planned.value(), *made.value(), progress);
   if (const auto wrong = hand_over(options, planned.value(), document, html, *made.value())) {
-    return refuse(*wrong);
+    return refused(*wrong);
   }
-  const std::string summary = plan::plan_summary(planned.value());
-  if (const auto wrong = write_out("-", summary + next_command(options, planned.value()))) {
+  const auto for_people = [&] {
+    return plan::plan_summary(planned.value()) + next_command(options, planned.value());
+  };
+  if (const auto wrong = write_result(options.json, for_people, [&] { return document; })) {
     return refuse(*wrong);
   }
   const bool is_whole = !planned.value().leaves_something_out() && planned.value().is_proven() &&

@@ -18,7 +18,9 @@ struct PlanOptions {
   std::string setup;
   std::optional<double> tolerance_mm;
   std::string as_machined;
+  std::string json;  ///< another place for plan.json; "-" for standard output, "" for none
   bool by_points = false;
+  bool is_quiet = false;                              ///< no progress
   page::Language language = page::Language::English;  ///< of the page
   std::string version;                                ///< of g31
   const runtime::Interruption* interruption = nullptr;

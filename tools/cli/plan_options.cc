@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/control_and_level_options.h"
 #include "tools/cli/limit_options.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
 
 namespace g31::cli {
@@ -56,7 +58,11 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
       "--point-by-point", options.by_points,
       "single touches of holes and bosses, too, in place of the control's own cycles, "
       "O9010 (G100) and CYCLE977");
+  command->add_option("--json", options.json, "what plan.json says; - is standard output")
+      ->type_name("FILE")
+      ->check(why_no_place);
   add_language_option(*command, options.language);
+  add_quiet_option(*command, options.is_quiet);
   return command;
 }
 

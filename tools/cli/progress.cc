@@ -15,12 +15,25 @@ bool shows_progress(bool quiet) {
 }
 
 Progress::Progress(std::size_t total, std::string what, bool shows)
-    : total_(std::max<std::size_t>(total, 1)), what_(std::move(what)), shows_(shows) {}
+    : total_(total), what_(std::move(what)), shows_(shows) {}
 
 Progress::~Progress() {
   if (has_line_) {
     std::fputs("\r\033[K", stderr);
   }
+}
+
+std::string Progress::line(std::size_t done, double elapsed_s) const {
+  if (total_ == 0) {
+    return fmt::format("{}, {:.0f} s", what_, elapsed_s);
+  }
+  constexpr std::size_t kWidth = 40;
+  const std::size_t shown = std::min(done, total_);
+  const double part = static_cast<double>(shown) / static_cast<double>(total_);
+  const auto filled = static_cast<std::size_t>(part * static_cast<double>(kWidth));
+  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+  return fmt::format("[{}] {} of {} {}, {:.0f} s left", bar, shown, total_, what_,
+                     std::ceil(elapsed_s * (1.0 - part) / part));
 }
 
 void Progress::one_done() {
@@ -35,15 +48,8 @@ void Progress::one_done() {
   }
   next_line_ = now + kBetweenLines;
   has_line_ = true;
-  constexpr std::size_t kWidth = 40;
-  const double part = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
-  const auto filled = static_cast<std::size_t>(part * static_cast<double>(kWidth));
   const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
-  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fputs(fmt::format("\r[{}] {} of {} {}, {:.0f} s left\033[K", bar, done, total_, what_,
-                         std::ceil(elapsed_s * (1.0 - part) / part))
-                 .c_str(),
-             stderr);
+  std::fputs(fmt::format("\r{}\033[K", line(done, elapsed_s)).c_str(), stderr);
   std::fflush(stderr);
 }
 

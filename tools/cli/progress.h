@@ -15,18 +15,20 @@ bool shows_progress(bool quiet);
 /// has taken a second; elsewhere nothing.  The line is gone when the work has ended.
 class Progress {
  public:
-  /// @param total  pieces of work
-  /// @param what   the pieces: "runs"
+  /// @param total  pieces of work; 0: nobody knows how many
+  /// @param what   the pieces, "runs"; where nobody knows how many, the work
   /// @param shows  shows_progress()
   Progress(std::size_t total, std::string what, bool shows);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// A piece is done.  From any thread.
+  /// A piece is done, or the work is still going on.  From any thread.
   void one_done();
 
  private:
+  [[nodiscard]] std::string line(std::size_t done, double elapsed_s) const;
+
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kQuietAtFirst{1000};
   static constexpr std::chrono::milliseconds kBetweenLines{100};

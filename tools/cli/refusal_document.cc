@@ -112,16 +112,19 @@ std::optional<session::Refusal> why_not_replaced(std::string_view option, const 
       fmt::format("{} {}: this file is no document of g31, so it stays as it is", option, path));
 }
 
+std::optional<session::Refusal> write_refusal(const session::Refusal& wrong,
+                                              const std::string& json, std::string_view schema) {
+  auto kept = why_not_replaced("--json", json);
+  return kept ? kept : write_out(json, document_of(wrong, schema));
+}
+
 ExitCode refuse(const session::Refusal& given, const std::string& json, std::string_view schema) {
   const session::Refusal wrong = with_ended_wait(given);
   const ExitCode code = refuse(wrong);
   if (json.empty() || wrong.ending == session::Ending::Interrupted) {
     return code;  // who interrupts the work wants no file of it
   }
-  auto unwritten = why_not_replaced("--json", json);
-  if (!unwritten) {
-    unwritten = write_out(json, document_of(wrong, schema));
-  }
+  const auto unwritten = write_refusal(wrong, json, schema);
   return unwritten ? refuse(*unwritten) : code;
 }
 

@@ -28,8 +28,13 @@ std::string document_of(const runtime::Outcome& outcome, ExitCode code, std::str
 /// `run --json part.nc`.
 std::optional<session::Refusal> why_not_replaced(std::string_view option, const std::string& path);
 
-/// Says why on standard error and, where --json wants a document, in one of `schema`, `status`,
-/// `exit_code` and `diagnostics`.  Work that was interrupted leaves none.
+/// Writes why in a document of `schema`, `status`, `exit_code` and `diagnostics`, where it takes
+/// nobody else's place.  @returns why it could not be written
+std::optional<session::Refusal> write_refusal(const session::Refusal& wrong,
+                                              const std::string& json, std::string_view schema);
+
+/// Says why on standard error and, where --json wants a document, as write_refusal().
+/// Work that was interrupted leaves none.
 /// @param json  of the option: "" for none
 ExitCode refuse(const session::Refusal& wrong, const std::string& json, std::string_view schema);
 

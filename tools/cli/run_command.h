@@ -30,6 +30,7 @@ struct Watch {
   std::uint64_t edition = 0;                            ///< of the page
   std::function<void(std::string html)> take;           ///< gets the page, once
   std::function<void(const std::string& path)> looked;  ///< hears of files and folders it looks for
+  std::function<void()> touched = [] {};                ///< called at each measuring move
 };
 
 /// What the command line of `g31 run` says.

@@ -24,7 +24,8 @@ EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts
       keeps_(!options.json.empty() || !options.report.empty()),
       keeps_output_(keeps_),
       machine_(machine),
-      readings_(tables.readings.get()) {}
+      readings_(tables.readings.get()),
+      watch_(options.watch) {}
 
 void EchoingRecorder::tell(Desk& desk, report::EventLog* events) {
   desk_ = &desk;
@@ -52,6 +53,9 @@ void EchoingRecorder::on_moves_undone(std::uint64_t count) {
 void EchoingRecorder::on_touch(const runtime::TouchEvent& event) {
   RunRecorder::on_touch(event);
   desk_->touch(event);
+  if (watch_ != nullptr) {
+    watch_->touched();
+  }
   if (events_ != nullptr) {
     events_->add(event);
   }
@@ -76,7 +80,7 @@ void EchoingRecorder::on_output(const runtime::OutputEvent& event) {
 }
 
 void EchoingRecorder::on_message(const runtime::OutputEvent& event) {
-  const std::string text = source::as_utf8(event.text);
+  const std::string text = source::text_as_utf8(event.text);
   print(event, text);
   if (!printouts_.go_to_standard_output()) {
     desk_->message(text);

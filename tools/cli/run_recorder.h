@@ -45,6 +45,7 @@ class EchoingRecorder final : public report::RunRecorder {
   bool keeps_output_;
   const machine::MachinePort& machine_;
   report::ReadingsFile* readings_;
+  const Watch* watch_;  // null: nobody watches
   Desk* desk_ = nullptr;
   report::EventLog* events_ = nullptr;
 };

@@ -130,10 +130,6 @@ std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
 }
 
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
-  const bool is_option = json.starts_with('-') && json != "-";
-  if (json.empty() || is_option) {
-    return;
-  }
   if (const auto unwritten = write_refusal_with_care(options, json, session::bad_input(why))) {
     refuse(*unwritten);
   }

@@ -25,8 +25,8 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work);
 std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
                                                const std::vector<std::string>& read);
 
-/// The document of a command line that is refused before anything is read of it.
-/// @param json  where --json wants it; "": nowhere
+/// Writes the document of a run whose command line is refused before anything is read of it.
+/// @param json  where --json wants it
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why);
 
 }  // namespace g31::cli

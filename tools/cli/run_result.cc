@@ -28,7 +28,7 @@ std::string shown(const runtime::ShownValue& value) {
                         [](runtime::Cell cell) {
                           return cell.is_vacant() ? "null" : fmt::format("{}", cell.raw());
                         },
-                        [](const std::string& text) { return source::as_utf8(text); },
+                        [](const std::string& text) { return source::text_as_utf8(text); },
                     },
                     value);
 }

@@ -153,7 +153,7 @@ Made run_study(const StudyOptions& options) {
   if (!options.svg.empty()) {
     made.drawings.resize(span.end - span.begin);
   }
-  Progress progress(span.end - span.begin, "runs", shows_progress(false));
+  Progress progress(span.end - span.begin, "runs", shows_progress(options.is_quiet));
   made.record.rows = study::run_all(
       span, options.threads,
       [&](std::size_t number) {

@@ -26,6 +26,7 @@ struct StudyOptions {
   std::size_t threads = 0;             ///< 0: one a core
   std::optional<std::size_t> repeats;  ///< in the place of the study's
   std::optional<std::uint64_t> seed;   ///< the same
+  bool is_quiet = false;               ///< no progress
   const runtime::Interruption* interruption = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/control_and_level_options.h"
 #include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
@@ -43,6 +44,7 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       ->check(why_no_word);
   study->add_option("--merge", options.merge, "put the shards together instead of running")
       ->type_name("FILE...");
+  add_quiet_option(*study, options.is_quiet);
   return study;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/printable.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::evaluate {
 namespace {
@@ -56,8 +57,7 @@ DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
     const std::size_t begin = break_before == std::string_view::npos ? 0 : break_before + 1;
     const std::size_t end = std::min(file.text.find(line_end, at), file.text.size());
     error.line = static_cast<int>(place.line);
-    const std::string in_front = source::printable(file.text.substr(begin, at - begin));
-    error.column = 1 + static_cast<int>(source::character_count(in_front));
+    error.column = 1 + static_cast<int>(character_count(file.text.substr(begin, at - begin)));
     error.source_line = file.text.substr(begin, end - begin);
   }
   return error;

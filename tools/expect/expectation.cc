@@ -32,14 +32,14 @@ std::string in_quotes(std::string_view whole) {
 }
 
 std::string shown(const ShownValue& value) {
-  return std::visit(Overloaded{
-                        [](Cell cell) {
-                          return cell.is_vacant() ? std::string(kVacant)
-                                                  : fmt::format("{}", cell.raw());
-                        },
-                        [](const std::string& text) { return in_quotes(source::as_utf8(text)); },
-                    },
-                    value);
+  return std::visit(
+      Overloaded{
+          [](Cell cell) {
+            return cell.is_vacant() ? std::string(kVacant) : fmt::format("{}", cell.raw());
+          },
+          [](const std::string& text) { return in_quotes(source::text_as_utf8(text)); },
+      },
+      value);
 }
 
 std::string shown(const Within& within) {
@@ -62,7 +62,7 @@ bool agrees(const ShownValue& got, const ExpectedValue& expected) {
             const auto* const cell = std::get_if<Cell>(&got);
             const auto* const text = std::get_if<std::string>(&value);
             return text != nullptr ? std::get_if<std::string>(&got) != nullptr &&
-                                         source::as_utf8(std::get<std::string>(got)) == *text
+                                         source::text_as_utf8(std::get<std::string>(got)) == *text
                                    : cell != nullptr && cell->is_vacant();
           },
       },

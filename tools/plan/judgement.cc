@@ -136,4 +136,8 @@ std::size_t count(const Judgement& judgement, Verdict verdict) {
       std::ranges::count(judgement.measures, verdict, &JudgedMeasure::verdict));
 }
 
+bool is_only_reported(const JudgedMeasure& row) {
+  return row.verdict == Verdict::Good && !row.measure.tolerance;
+}
+
 }  // namespace g31::plan

@@ -42,4 +42,7 @@ Judgement judged(const std::vector<Measure>& measures, std::string_view text);
 
 std::size_t count(const Judgement& judgement, Verdict verdict);
 
+/// Good because the plan has no tolerance for it: the value is only reported.
+bool is_only_reported(const JudgedMeasure& row);
+
 }  // namespace g31::plan

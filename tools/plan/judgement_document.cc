@@ -58,16 +58,18 @@ std::string measures_table(const Judgement& judgement) {
     text += fmt::format("{:<{}}  {:>12}  {:>12}  {:>10}  {:<20}  {}\n", row.measure.id, width,
                         shown_or_dash(row.measure.nominal, false), shown_or_dash(row.actual, false),
                         shown_or_dash(row.deviation, true), shown(row.measure.tolerance),
-                        word_of(row.verdict));
+                        is_only_reported(row) ? "good (no tolerance)" : word_of(row.verdict));
   }
   return text;
 }
 
 std::string judgement_table(const Judgement& judgement) {
+  const auto reported = std::ranges::count_if(judgement.measures, is_only_reported);
   return measures_table(judgement) +
-         fmt::format("{} of {} good, {} bad, {} missing\n", count(judgement, Verdict::Good),
-                     judgement.measures.size(), count(judgement, Verdict::Bad),
-                     count(judgement, Verdict::Missing));
+         fmt::format("{} of {} good{}, {} bad, {} missing\n", count(judgement, Verdict::Good),
+                     judgement.measures.size(),
+                     reported == 0 ? "" : fmt::format(" ({} without a tolerance)", reported),
+                     count(judgement, Verdict::Bad), count(judgement, Verdict::Missing));
 }
 
 }  // namespace g31::plan

@@ -62,6 +62,7 @@ class PartPlanner {
     std::optional<Result<parts::Removal, std::string>> removal;
     try {
       removal = parts::removal_of(request_.product, stock.value(), [this] {
+        request_.watch(PlanWork::Features, 0);
         return !runtime::is_interrupted(request_.interruption);
       });
     } catch (const parts::BrokenOff&) {
@@ -167,8 +168,9 @@ class PartPlanner {
     return write(planned_.program_file, planned_.program.text);
   }
 
-  [[nodiscard]] ProofRequest proof_request() const {
+  [[nodiscard]] ProofRequest proof_request(PlanWork work) const {
     ProofRequest proof;
+    proof.touched = [this, work] { request_.watch(work, planned_.program.touches); };
     proof.run = sheet_request({path(std::string(kSheetFile))});
     proof.run.programs = {path(planned_.program_file)};
     proof.interruption = request_.interruption;
@@ -212,7 +214,7 @@ class PartPlanner {
   }
 
   [[nodiscard]] Result<Proof, Refusal> proof_on_product() const {
-    ProofRequest request = proof_request();
+    ProofRequest request = proof_request(PlanWork::Proof);
     request.parts = &planned_.built;
     return prove(request);
   }
@@ -248,7 +250,7 @@ class PartPlanner {
     if (request_.as_machined.empty()) {
       return std::nullopt;
     }
-    ProofRequest request = proof_request();
+    ProofRequest request = proof_request(PlanWork::ProofAsMachined);
     request.other_product = request_.as_machined;
     const auto proof = prove(request);
     if (!proof) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,6 +12,13 @@
 #include "tools/session/refusal.h"
 
 namespace g31::plan {
+
+/// What planning a part spends its time on.
+enum class PlanWork { Features, Proof, ProofAsMachined, Page };
+
+/// Told again and again how far a work is.
+/// @param touches  of the program; 0: not known before it is planned
+using PlanWatch = std::function<void(PlanWork work, std::size_t touches)>;
 
 /// What is to be planned.
 struct PlanRequest {
@@ -22,6 +31,7 @@ struct PlanRequest {
   std::string as_machined;             ///< a part to run the program on as well; empty: none
   std::string folder;                  ///< in which sheet and program are written, to be run there
   const runtime::Interruption* interruption = nullptr;
+  PlanWatch watch = [](PlanWork /*work*/, std::size_t /*touches*/) {};
 };
 
 /// From the product to the proven program: sheet and program are in the folder then.

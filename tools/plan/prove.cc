@@ -17,14 +17,19 @@ using session::Refusal;
 /// Keeps what a program prints, and counts its touches.
 class Listener final : public runtime::Observer {
  public:
+  explicit Listener(const std::function<void()>& touched) : touched_(touched) {}
   void on_output(const runtime::OutputEvent& event) override { printed_ += event.text; }
   void on_message(const runtime::OutputEvent& /*event*/) override {}
-  void on_touch(const runtime::TouchEvent& event) override { touches_ += event.triggered ? 1 : 0; }
+  void on_touch(const runtime::TouchEvent& event) override {
+    touches_ += event.triggered ? 1 : 0;
+    touched_();
+  }
 
   [[nodiscard]] const std::string& printed() const { return printed_; }
   [[nodiscard]] std::size_t touches() const { return touches_; }
 
  private:
+  const std::function<void()>& touched_;
   std::string printed_;
   std::size_t touches_ = 0;
 };
@@ -71,7 +76,7 @@ Result<Proof, Refusal> prove(const ProofRequest& request) {
   if (!programs) {
     return programs.error();
   }
-  Listener listener;
+  Listener listener(request.touched);
   const auto run = session::Run::open(job, *programs.value(), machine, listener);
   if (!run) {
     return run.error();

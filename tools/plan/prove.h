@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct ProofRequest {
   /// Of that sheet, where they are made already; outlive the run.
   const session::BuiltParts* parts = nullptr;
   const runtime::Interruption* interruption = nullptr;
+  std::function<void()> touched = [] {};  ///< called at each touch
 };
 
 /// Runs a program against the parts of its sheet; nothing is kept of what it writes.

@@ -47,19 +47,24 @@ void ObjectWriter::write(const Json& value, int depth) {
   }
 }
 
-void ObjectWriter::write_latin_1(std::string_view text) {
+void ObjectWriter::write_latin_1(std::string_view text, AsUtf8 as_utf8) {
   constexpr std::size_t kPiece = 65536;
   sink_("\"");
-  for (; !text.empty(); text.remove_prefix(std::min(kPiece, text.size()))) {
-    const std::string quoted = dumped(source::as_utf8(text.substr(0, kPiece)));
+  while (!text.empty()) {
+    std::size_t size = std::min(kPiece, text.size());
+    while (size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) {
+      ++size;  // no character is cut
+    }
+    const std::string quoted = dumped(as_utf8(text.substr(0, size)));
     sink_(std::string_view(quoted).substr(1, quoted.size() - 2));
+    text.remove_prefix(size);
   }
   sink_("\"");
 }
 
-void ObjectWriter::add_latin_1(std::string_view name, std::string_view text) {
+void ObjectWriter::add_latin_1(std::string_view name, std::string_view text, AsUtf8 as_utf8) {
   begin_member(name);
-  write_latin_1(text);
+  write_latin_1(text, as_utf8);
 }
 
 void ObjectWriter::add_latin_1(std::string_view name,
@@ -70,7 +75,7 @@ void ObjectWriter::add_latin_1(std::string_view name,
     sink_(is_first ? "{\n  " : ",\n  ");
     sink_(dumped(key));
     sink_(": ");
-    write_latin_1(text);
+    write_latin_1(text, &source::text_as_utf8);
     is_first = false;
   }
   sink_(is_first ? "{}" : "\n }");

@@ -27,7 +27,7 @@ Json json_of(const runtime::ShownValue& value) {
   return std::visit(
       runtime::Overloaded{
           [](runtime::Cell cell) { return cell.is_vacant() ? Json() : Json(cell.raw()); },
-          [](const std::string& text) { return Json(source::as_utf8(text)); },
+          [](const std::string& text) { return Json(source::text_as_utf8(text)); },
       },
       value);
 }
@@ -62,7 +62,7 @@ Json change_json(const ValueChange& change) {
 
 Json allowed_json(const session::AllowedMessage& allowed, const source::SourceMap& sources) {
   Json object = diagnostic_json(allowed.message, sources);
-  object["reason"] = source::as_utf8(allowed.reason);
+  object["reason"] = source::text_as_utf8(allowed.reason);
   return object;
 }
 
@@ -217,7 +217,8 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   if (result.changes) {
     document.add_list("changes", *result.changes, change_json);
   }
-  document.add_latin_1("output", recorder.output());
+  document.add_latin_1("output", recorder.output(),
+                       recorder.output_is_text() ? &source::text_as_utf8 : &source::as_utf8);
   document.add_latin_1("files", result.files);
   add_stops(result, recorder, sources, document);
   add_events(recorder, sources, document);

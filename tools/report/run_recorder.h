@@ -56,6 +56,8 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] std::size_t touch_count() const { return touch_count_; }
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   [[nodiscard]] const std::string& output() const { return output_; }
+  /// As runtime::OutputEvent::is_text.
+  [[nodiscard]] bool output_is_text() const { return output_is_text_; }
   [[nodiscard]] session::MissedSkips& missed_skips() { return missed_skips_; }
   [[nodiscard]] const session::MissedSkips& missed_skips() const { return missed_skips_; }
 
@@ -76,6 +78,7 @@ class RunRecorder : public runtime::Observer {
   std::size_t touch_count_ = 0;
   std::optional<runtime::FaultEvent> fault_;
   std::string output_;
+  bool output_is_text_ = false;
   session::MissedSkips missed_skips_;
 };
 

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "machine/base/letters.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::session {
 namespace {
@@ -57,19 +58,21 @@ std::string take_named(std::string_view& text, bool& has_comma) {
 }
 
 struct Comment {
-  std::size_t column = 0;  ///< from 0
+  std::size_t begin = 0;   ///< in bytes of the line
   std::size_t length = 0;  ///< with what marks it as a comment
   std::string_view text;
 };
 
 /// A line, its comments apart.
 struct Line {
-  std::string block;  ///< what is no comment
+  std::string_view text;  ///< the whole of it
+  std::string block;      ///< what is no comment
   std::vector<Comment> comments;
 };
 
 Line split(std::string_view text, CommentForm form) {
   Line line;
+  line.text = text;
   bool is_quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     is_quoted = is_quoted != (form == CommentForm::Semicolon && text[i] == '"');
@@ -154,8 +157,8 @@ std::vector<MessageComment> asking(const Line& line) {
       if (found.size() == kMostOfALine) {
         return found;
       }
-      one.column = static_cast<int>(comment.column) + 1;
-      one.begin = comment.column;
+      one.column = static_cast<int>(character_count(line.text.substr(0, comment.begin))) + 1;
+      one.begin = comment.begin;
       one.length = comment.length;
       found.push_back(std::move(one));
     }

@@ -28,8 +28,8 @@ struct MessageComment {
   std::string named;   ///< what stands in the place of the code, as written; may be empty
   std::string reason;  ///< what stands behind the codes; may be empty
   int line = 0;        ///< where the comment stands, from 1
-  int column = 0;
-  std::string text;  ///< of that line; empty where it has more than 1,000 bytes
+  int column = 0;      ///< the same, in characters
+  std::string text;    ///< of that line; empty where it has more than 1,000 bytes
   /// The whole comment, in bytes of the program.
   std::size_t begin = 0;
   std::size_t length = 0;

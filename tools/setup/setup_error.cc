@@ -8,6 +8,9 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
+#include "machine/base/utf_8.h"
+
 namespace g31::setup {
 namespace {
 
@@ -27,40 +30,13 @@ const SetupErrorRow& row_of(SetupErrorId id) {
   return kSetupErrorRows.at(static_cast<std::size_t>(id));
 }
 
-/// How many bytes the UTF-8 character at the start of `text` has; 0 when it is not UTF-8.
-std::size_t character_bytes(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  std::size_t count = 0;
-  if (first < 0x80) {
-    count = 1;
-  } else if (first >= 0xC2 && first < 0xE0) {
-    count = 2;
-  } else if (first >= 0xE0 && first < 0xF0) {
-    count = 3;
-  } else if (first >= 0xF0 && first < 0xF5) {
-    count = 4;
-  }
-  if (count == 0 || count > text.size()) {
-    return 0;
-  }
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  return std::ranges::all_of(text.substr(1, count - 1), continues) ? count : 0;
-}
-
 /// The characters of a line, fit to be shown.
 std::vector<std::string> shown_characters(std::string_view line) {
   std::vector<std::string> characters;
   while (!line.empty()) {
-    const std::size_t bytes = character_bytes(line);
-    const auto first = static_cast<unsigned char>(line.front());
-    if (first == '\t') {
-      characters.emplace_back(" ");
-    } else if (bytes == 0 || first < 0x20 || first == 0x7F) {
-      characters.emplace_back("?");
-    } else {
-      characters.emplace_back(line.substr(0, bytes));
-    }
-    line.remove_prefix(std::max<std::size_t>(bytes, 1));
+    const std::size_t bytes = bytes_of_characters(line, 1);
+    characters.push_back(source::printable(line.substr(0, bytes)));
+    line.remove_prefix(bytes);
   }
   return characters;
 }

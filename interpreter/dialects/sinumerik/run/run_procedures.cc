@@ -66,7 +66,7 @@ namespace procedure {
 MaybeFailure message(Channel& channel, Operands& at, Arguments list) {
   if (!list.empty()) {
     channel.message = at.text(list[0].value);
-    channel.observer.on_message({channel.message + "\n", channel.here()});
+    channel.observer.on_message({channel.message + "\n", channel.here(), true});
   }
   return std::nullopt;
 }

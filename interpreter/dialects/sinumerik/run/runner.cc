@@ -139,7 +139,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.status = failure.status;
   reason.is_alarm = failure.is_alarm;
   reason.number = failure.number != 0 ? failure.number : row.number;
-  reason.text = failure.text.empty() ? std::string(row.text) : source::as_utf8(failure.text);
+  reason.text = failure.text.empty() ? std::string(row.text) : source::text_as_utf8(failure.text);
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
   reason.levels = levels_of(failure);
