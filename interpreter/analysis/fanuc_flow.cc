@@ -38,10 +38,10 @@ class FanucTranslation {
   using Step = fanuc::Step;
 
   FanucTranslation(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
-                   const MacroCallers& callers)
+                   const WordReading& reading)
       : program_(program),
         profile_(profile),
-        words_(program, profile, callers),
+        words_(program, profile, reading),
         builder_(name_of(program), *program.file) {}
 
   Flow run() {
@@ -97,8 +97,10 @@ void FanucTranslation::step(Index index) {
   if (block.sequence >= 0) {
     builder_.label(fmt::format("N{}", block.sequence));
   }
-  const auto wrong_word =
-      step.kind == BlockKind::Nc ? words_.wrong_in(block) : std::optional<WrongConstant>();
+  const WordFindings words = step.kind == BlockKind::Nc ? words_.judge(block) : WordFindings();
+  for (const LostPoint& lost : words.lost_points) {
+    builder_.fault({Fault::Kind::LostPoint, 0, lost.where, lost.message, lost.remedy});
+  }
   if (step.kind == BlockKind::Bad) {
     const syntax::SyntaxError& error = program_.errors[static_cast<std::size_t>(step.number)];
     stop(fault_of(static_cast<AlarmId>(error.error), error.where, error.message));
@@ -109,7 +111,7 @@ void FanucTranslation::step(Index index) {
     stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
   }
   const auto constant = stops_ ? std::nullopt : wrong_constant(program_, step, profile_);
-  if (const auto& found = constant || stops_ ? constant : wrong_word) {
+  if (const auto& found = constant || stops_ ? constant : words.wrong) {
     stop(fault_of(found->wrong.id, found->where, found->wrong.detail));
   }
   add_accesses(program_, step, builder_);
@@ -249,7 +251,7 @@ void FanucTranslation::add_unsimulated(const Word& code) {
   const fanuc::GCode* const row = fanuc::find_g_code(code.number);
   const bool is_there = row != nullptr && fanuc::has_g_code(profile_, *row);
   const bool ends_run = is_there && row->action == fanuc::GAction::Refused;
-  if (ends_run || (is_there && row->action == fanuc::GAction::Unsimulated)) {
+  if (ends_run || (is_there && fanuc::is_passed_over(row->action))) {
     const int alarm =
         ends_run ? fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers) : 0;
     builder_.fault({Fault::Kind::NotSimulated, alarm, code.span,
@@ -292,8 +294,8 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
 }  // namespace
 
 Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
-             const MacroCallers& callers) {
-  return FanucTranslation(program, profile, callers).run();
+             const WordReading& reading) {
+  return FanucTranslation(program, profile, reading).run();
 }
 
 }  // namespace g31::analysis

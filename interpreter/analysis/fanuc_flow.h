@@ -9,6 +9,6 @@ namespace g31::analysis {
 
 /// The picture of a Fanuc program, compiled whole for a control.
 Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
-             const MacroCallers& callers = {});
+             const WordReading& reading = {});
 
 }  // namespace g31::analysis

@@ -19,8 +19,8 @@ constexpr int kCountFactor = 10'000;
 
 class FanucPrograms final : public ProgramSet {
  public:
-  FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources, std::set<int> codes)
-      : profile_(profile), library_(sources), callers_{std::move(codes)} {
+  FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources, WordReading reading)
+      : profile_(profile), library_(sources), reading_(std::move(reading)) {
     library_.compile_for(profile);
   }
 
@@ -29,7 +29,7 @@ class FanucPrograms final : public ProgramSet {
       return false;
     }
     for (const fanuc::CompiledProgram* const program : library_.programs_of(path)) {
-      callers_.every_block |= lets_every_block_call(*program);
+      reading_.every_block_calls |= lets_every_block_call(*program);
     }
     return true;
   }
@@ -62,7 +62,7 @@ class FanucPrograms final : public ProgramSet {
     for (const fanuc::CompiledProgram* const program : programs) {
       // An O number without blocks beside real programs is what some editors leave behind.
       if (program->steps.size() > 1 || programs.size() == 1) {
-        all.push_back(flow_of(*program, profile_, callers_));
+        all.push_back(flow_of(*program, profile_, reading_));
       }
     }
     return all;
@@ -91,7 +91,7 @@ class FanucPrograms final : public ProgramSet {
  private:
   const fanuc::Profile& profile_;
   fanuc::ProgramLibrary library_;
-  MacroCallers callers_;
+  WordReading reading_;
 };
 
 /// The G codes that a sheet makes macro calls: "G81" of [macro_calls], 6050 to 6059.
@@ -117,12 +117,22 @@ std::set<int> called_codes(const runtime::ControlSetup& setup) {
   return codes;
 }
 
+/// What a sheet says of numbers without a decimal point.
+PointReading points_of(const runtime::ControlSetup& setup) {
+  PointReading points;
+  const auto given = setup.parameters.find("3401.0");
+  points.counts_increments = given == setup.parameters.end() || given->second == 0.0;
+  points.scale.set_increment_system(setup.increment);
+  return points;
+}
+
 }  // namespace
 
 std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
                                            source::SourceMap& sources,
                                            const runtime::ControlSetup& setup) {
-  return std::make_unique<FanucPrograms>(profile, sources, called_codes(setup));
+  return std::make_unique<FanucPrograms>(
+      profile, sources, WordReading{called_codes(setup), false, points_of(setup)});
 }
 
 }  // namespace g31::analysis

@@ -73,11 +73,11 @@ void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Prof
 class JudgedBlock {
  public:
   JudgedBlock(Words words, syntax::ShortSpan whole, const fanuc::Profile& profile,
-              const MacroCallers& callers)
-      : profile_(profile), whole_(whole), words_(words) {
+              const WordReading& reading)
+      : profile_(profile), reading_(reading), whole_(whole), words_(words) {
     for (const EvaluatedWord& word : words_.words().all()) {
       codes_.is_open |=
-          word.letter == 'G' && callers.codes.contains(fanuc::nearest_integer(word.number));
+          word.letter == 'G' && reading.calling_codes.contains(fanuc::nearest_integer(word.number));
       if (word.letter == 'G' && !is_macro_call(word) && !is_g(word, 67.0)) {
         take_code(codes_, word, profile);
       }
@@ -85,6 +85,7 @@ class JudgedBlock {
   }
 
   [[nodiscard]] WrongWord judge() const;
+  [[nodiscard]] std::vector<LostPoint> lost_points() const;
 
  private:
   [[nodiscard]] Use use() const;
@@ -98,6 +99,7 @@ class JudgedBlock {
   [[nodiscard]] WrongWord action() const;
 
   const fanuc::Profile& profile_;
+  const WordReading& reading_;
   syntax::ShortSpan whole_;
   KnownWords words_;
   CodesOfBlock codes_;
@@ -153,6 +155,15 @@ WrongWord JudgedBlock::judge() const {
     }
   }
   return action();
+}
+
+std::vector<LostPoint> JudgedBlock::lost_points() const {
+  const Use use = this->use();
+  const std::string_view letters = use == Use::Block
+                                       ? letters_with_point(codes_.acting, codes_.drills)
+                                   : use == Use::MacroCall ? fanuc::kIncrementArguments
+                                                           : std::string_view();
+  return analysis::lost_points(words_.words(), letters, profile_, reading_.points);
 }
 
 /// G65, G66, M98, M99.
@@ -270,24 +281,26 @@ bool begins_data(Words words) {
 }  // namespace
 
 FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
-                       const MacroCallers& callers)
-    : program_(program), profile_(profile), callers_(callers) {}
+                       const WordReading& reading)
+    : program_(program), profile_(profile), reading_(reading) {}
 
 bool lets_every_block_call(const fanuc::CompiledProgram& program) {
   return std::ranges::any_of(program.tree->words,
                              [](const Word& word) { return is_g(word, 66.1); });
 }
 
-WrongWord FanucWords::wrong_in(const syntax::Block& block) {
+WordFindings FanucWords::judge(const syntax::Block& block) {
   const Words words = words_of(program_, block);
   const bool was_data = takes_data_;
   const bool ends = std::ranges::any_of(words, [](const Word& word) { return is_g(word, 11.0); });
   takes_data_ = !ends && (takes_data_ || begins_data(words));
   // What stands behind a / may be skipped, and the last word of a letter counts.
   const bool may_be_cut = std::ranges::find(words, '/', &Word::letter) != words.end();
-  return was_data || may_be_cut || callers_.every_block
-             ? std::nullopt
-             : JudgedBlock(words, block.span, profile_, callers_).judge();
+  if (was_data || may_be_cut || reading_.every_block_calls) {
+    return {};
+  }
+  const JudgedBlock judged(words, block.span, profile_, reading_);
+  return {judged.judge(), judged.lost_points()};
 }
 
 }  // namespace g31::analysis

@@ -2,15 +2,24 @@
 
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "interpreter/analysis/fanuc_constants.h"
+#include "interpreter/analysis/fanuc_points.h"
 
 namespace g31::analysis {
 
-/// What calls macros beside the words of a block itself: their words are arguments then.
-struct MacroCallers {
-  std::set<int> codes;       ///< G codes that the sheet makes macro calls
-  bool every_block = false;  ///< G66.1 stands in one of the programs, and lasts in what it calls
+/// What decides beside the words of a block itself how they are read.
+struct WordReading {
+  std::set<int> calling_codes;     ///< G codes that the sheet makes macro calls
+  bool every_block_calls = false;  ///< G66.1 is in one of the programs, and lasts in what it calls
+  PointReading points;
+};
+
+/// What is found in the words of a block.
+struct WordFindings {
+  std::optional<WrongConstant> wrong;  ///< ends every run of the block
+  std::vector<LostPoint> lost_points;
 };
 
 /// Judges the numbers of NC blocks by what a run takes there, in whatever state it comes to them.
@@ -21,16 +30,15 @@ class FanucWords {
  public:
   /// All must outlive it.
   FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
-             const MacroCallers& callers);
+             const WordReading& reading);
 
-  /// To be asked of all blocks of words in their order.
-  /// @returns what ends every run of the block; nullopt: nothing, or only a run knows
-  std::optional<WrongConstant> wrong_in(const syntax::Block& block);
+  /// To be asked of all blocks of words in their order.  What only a run knows is not found.
+  WordFindings judge(const syntax::Block& block);
 
  private:
   const fanuc::CompiledProgram& program_;
   const fanuc::Profile& profile_;
-  const MacroCallers& callers_;
+  const WordReading& reading_;
   bool takes_data_ = false;  ///< from G10 L3 or L50 to G11
 };
 

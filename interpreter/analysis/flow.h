@@ -75,6 +75,7 @@ struct Fault {
     End,           ///< nothing stands behind the last block, and nothing ended the program
     NotSimulated,  ///< g31 does not run this yet; a control does
     Comparison,    ///< no fault of the block: it compares otherwise than it looks
+    LostPoint,     ///< the same: a number is read otherwise than it looks
   };
   Kind kind = Kind::Block;
   int alarm = 0;  ///< its number on the control; 0: none

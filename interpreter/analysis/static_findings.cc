@@ -25,6 +25,8 @@ RuleId rule_of(Fault::Kind kind) {
       return RuleId::NotSimulated;
     case Fault::Kind::Comparison:
       return RuleId::MixedComparison;
+    case Fault::Kind::LostPoint:
+      return RuleId::LostPoint;
   }
   return RuleId::WrongBlock;
 }
@@ -83,7 +85,8 @@ class Findings {
 
   void add(const Flow& flow, const Fault& fault, RuleId rule, bool is_reached) {
     // What g31 lacks is no mistake of the program, wherever it stands; no control refuses a doubt.
-    const bool is_refused = rule != RuleId::NotSimulated && rule != RuleId::MixedComparison;
+    const bool is_doubt = rule == RuleId::MixedComparison || rule == RuleId::LostPoint;
+    const bool is_refused = rule != RuleId::NotSimulated && !is_doubt;
     if (!is_reached && is_refused) {
       rule = RuleId::UnreachedFault;
     }

@@ -270,6 +270,11 @@ class Manners(unittest.TestCase):
         run = self.g31("plan", str(PRODUCT), "--stock", "box", "-o", "plan", "--json", "-", "-q")
         self.assertEqual((run.returncode, run.stdout), (0, (self.folder / "plan/plan.json").read_text()), run.stderr)
 
+    def test_no_topic_is_none(self):
+        run = self.g31("explain", "")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("the word is empty", run.stderr)
+
     def test_explain_writes_its_document_where_json_says(self):
         beside = self.g31("explain", "G31", "--json").stdout
         for words in (("--json", "-"), ("--json=-",)):
@@ -288,6 +293,17 @@ class Manners(unittest.TestCase):
         again = run.stdout.splitlines()[-1].removeprefix("Now: g31 ")
         self.assertEqual(shlex.split(again), ["run", "my part/a b/measure.nc", "--setup", "my part/a b/setup.toml"])
 
+    def test_a_plan_of_a_file_of_any_name_runs(self):
+        name = 'a"\\\nM30\tü.step'
+        (self.folder / name).write_bytes(PRODUCT.read_bytes())
+        plan = self.g31("plan", name, "--stock", "box", "-o", "plan", "-q")
+        if "without Open CASCADE" in plan.stderr:
+            self.skipTest(plan.stderr)
+        self.assertEqual(plan.returncode, 0, plan.stderr)
+        self.assertIn("proven on", plan.stdout)
+        run = self.g31("run", "plan/inspect.nc", "-s", "plan/setup.toml", "-q")
+        self.assertEqual(run.returncode, 0, run.stderr)
+
     def test_a_plan_that_is_ended_leaves_nothing_behind(self):
         for ending in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
             words = [G31, "plan", str(PRODUCT), "--stock", "box", "-o", "out"]
@@ -303,7 +319,7 @@ class Manners(unittest.TestCase):
 
     def test_an_ignored_interruption_stays_ignored(self):
         (self.folder / "a.nc").write_text("%\nO1\nN1 GOTO1\nM30\n%\n")
-        for ending in (signal.SIGINT, signal.SIGHUP):
+        for ending in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
             run = subprocess.Popen([G31, "run", "a.nc", "--max-blocks", "100000000000", "--max-time", "1"],
                                    cwd=self.folder, stderr=subprocess.DEVNULL,
                                    preexec_fn=lambda: signal.signal(ending, signal.SIG_IGN))
@@ -312,14 +328,15 @@ class Manners(unittest.TestCase):
                 run.send_signal(ending)
             self.assertEqual(run.wait(), 6)
 
-    def test_a_closed_terminal_leaves_nothing_half_written(self):
+    def test_a_closed_terminal_or_a_cancelled_job_leaves_nothing_half_written(self):
         (self.folder / "a.nc").write_text("%\nO1\nN1 GOTO1\nM30\n%\n")
         words = [G31, "run", "a.nc", "--max-blocks", "100000000000", "--jsonl", "a.jsonl", "--trace", "a.csv"]
-        run = subprocess.Popen(words, cwd=self.folder, stderr=subprocess.DEVNULL)
-        self.wait_until_it_catches(run, signal.SIGHUP)
-        run.send_signal(signal.SIGHUP)
-        self.assertEqual(run.wait(timeout=60), 130)
-        self.assertEqual([file.name for file in self.folder.iterdir() if file.name.endswith(".part")], [])
+        for ending in (signal.SIGHUP, signal.SIGTERM):
+            run = subprocess.Popen(words, cwd=self.folder, stderr=subprocess.DEVNULL)
+            self.wait_until_it_catches(run, ending)
+            run.send_signal(ending)
+            self.assertEqual(run.wait(timeout=60), 130)
+            self.assertEqual([file.name for file in self.folder.iterdir() if file.name.endswith(".part")], [])
 
     def test_an_earlier_document_stays_until_a_new_one_takes_its_place(self):
         document = self.folder / "a.json"
@@ -329,8 +346,8 @@ class Manners(unittest.TestCase):
         words = [G31, "run", "a.nc", "--max-blocks", "100000000000", "--json", "a.json"]
         ended = subprocess.Popen(words, cwd=self.folder, stderr=subprocess.DEVNULL)
         self.wait_until_it_catches(ended, signal.SIGINT)
-        ended.terminate()
-        self.assertEqual(ended.wait(timeout=60), -signal.SIGTERM)
+        ended.kill()
+        self.assertEqual(ended.wait(timeout=60), -signal.SIGKILL)
         self.assertEqual(document.read_text(), earlier)
         (self.folder / "a.nc").write_text(RUNS)
         limited = subprocess.run(words, cwd=self.folder, capture_output=True, text=True,

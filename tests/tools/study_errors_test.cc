@@ -52,6 +52,27 @@ void expect_refused(const FileCase& c, const StudyOutput& output) {
   EXPECT_EQ(output.out, "");
 }
 
+TEST_F(StudyErrors, TheRunsOfAStudyAreOnOneControl) {
+  folder_.write("haas.toml", "[control]\nprofile = \"haas\"\n");
+  folder_.write("same.toml", "[control]\nprofile = \"fanuc-16i\"\n");
+  const std::string head = std::string(kHead) + kResult;
+  for (const char* const vary : {"key = \"control.profile\"\nvalues = [\"fanuc-16i\", \"haas\"]\n",
+                                 "key = \"setup\"\nvalues = [\"same.toml\", \"haas.toml\"]\n"}) {
+    const StudyOutput output = run(head + "[[vary]]\n" + vary);
+    EXPECT_EQ(output.exit_code, 5) << output.errors;
+    EXPECT_NE(output.errors.find("the runs of a study are on one control, here on fanuc-16i and "
+                                 "haas; write a study for each"),
+              std::string::npos)
+        << output.errors;
+    EXPECT_EQ(output.out, "");
+    const std::string named = "control = \"haas\"\n";
+    EXPECT_EQ(run(kHead + named + kResult + "[[vary]]\n" + vary).exit_code, 0);
+  }
+  EXPECT_EQ(
+      run(head + "[[vary]]\nkey = \"setup\"\nvalues = [\"same.toml\", \"s.toml\"]\n").exit_code, 0)
+      << "without a name it is that of the program";
+}
+
 TEST_F(StudyErrors, OfKeysHavePlaceReasonAndWhatWouldBeRight) {
   const std::string head = kHead;
   const std::string good = head + kResult;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/control_and_level_options.h"
+#include "tools/cli/limit_options.h"
 
 namespace g31::cli {
 
@@ -33,7 +34,8 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
       "TOPIC", options.topics,
       "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of a SINUMERIK "
       "$AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, PRB301, SET103, 'exit 4'; "
-      "skip, 'ball diameter'");
+      "skip, 'ball diameter'")
+      ->check(why_no_word);
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
   explain->add_flag("--search", options.search,
                     "list what has the words in its text, also where something is named so");

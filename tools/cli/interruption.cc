@@ -31,12 +31,9 @@ void catch_once(int signal) {
 const runtime::Interruption& catch_interruption() {
   catch_once(SIGINT);
   catch_once(SIGHUP);
+  catch_once(SIGTERM);
   disk::give_up_waiting_when(is_asked_for);
   return is_asked_for;
-}
-
-void catch_termination() {
-  catch_once(SIGTERM);
 }
 
 }  // namespace g31::cli

@@ -4,11 +4,8 @@
 
 namespace g31::cli {
 
-/// From here on the first Ctrl-C, or a terminal that is closed, asks the command in hand to end
-/// cleanly; the second ends the process at once.
+/// From here on the first Ctrl-C, a terminal that is closed or a SIGTERM asks the command in hand to
+/// end cleanly; the second ends the process at once.
 const runtime::Interruption& catch_interruption();
-
-/// The same for SIGTERM, for a command that must not leave behind what it has begun.
-void catch_termination();
 
 }  // namespace g31::cli

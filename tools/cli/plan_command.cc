@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "tools/cli/interruption.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/progress.h"
@@ -250,7 +249,6 @@ ExitCode plan_command(const PlanOptions& options) {
       return refuse(*wrong);
     }
   }
-  catch_termination();
   const auto refused = [&options](const Refusal& wrong) {
     return refuse(wrong, options.json, "g31.plan/1");
   };

@@ -10,7 +10,8 @@ namespace {
 constexpr std::string_view kAboutTheWorld =
     R"(g31 runs measuring programs.  What it does not run or model is told here, and by the run itself: a block that
 cannot be run ends it with an alarm at its place, one that is passed over is a warning (PRB304), and `g31 check`
-finds codes, functions and cycles of both kinds before (NC007).
+finds codes, functions and cycles of both kinds before (NC007).  A SINUMERIK's addresses and SETPIECE, below, are taken
+without a word: what they say has nothing to act on here.
 
 ## The world
 

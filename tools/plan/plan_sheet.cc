@@ -28,7 +28,11 @@ constexpr double kUsualLengthMm = 120.0;
 std::string as_toml(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    result += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_control = byte < 0x20 || byte == 0x7F;
+    result += is_control              ? fmt::format("\\u{:04X}", byte)
+              : c == '"' || c == '\\' ? std::string("\\") + c
+                                      : std::string(1, c);
   }
   return result + "\"";
 }

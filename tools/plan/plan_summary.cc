@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "tools/plan/judgement_document.h"
 
 namespace g31::plan {
@@ -71,7 +72,7 @@ std::string proof_text(const PlannedPart& planned) {
       "um\n",
       planned.touches, planned.machine_time_s, planned.largest_deviation_mm * kUmPerMm);
   if (planned.is_proven()) {
-    return fmt::format("proven on {}: {}", planned.product, run);
+    return fmt::format("proven on {}: {}", source::printable(planned.product), run);
   }
   Judgement bad;
   std::ranges::copy_if(planned.on_product.measures, std::back_inserter(bad.measures),
@@ -81,8 +82,8 @@ std::string proof_text(const PlannedPart& planned) {
       "machine and the probe of the sheet:\n{}expected: a probe whose calibration the program "
       "knows, a machine that is compensated, a finer mesh, or a wider "
       "tolerance\n",
-      planned.product, run, bad.measures.size(), planned.on_product.measures.size(),
-      measures_table(bad));
+      source::printable(planned.product), run, bad.measures.size(),
+      planned.on_product.measures.size(), measures_table(bad));
 }
 
 }  // namespace

@@ -38,17 +38,45 @@ Result<StudyJobs, Refusal> StudyJobs::read(const Study& study) {
   return jobs;
 }
 
+/// Programs are read for one control.
+std::optional<Refusal> StudyJobs::why_other_control(const ListedAxis& axis, const setup::Job& first,
+                                                    const setup::Job& other) const {
+  session::Request request;
+  request.control = study_->control;
+  request.programs = {study_->program};
+  disk::Disk disk;
+  const auto on = session::chosen_control(request, first, disk);
+  const auto also = session::chosen_control(request, other, disk);
+  for (const auto* const control : {&on, &also}) {
+    if (!*control) {
+      return control->error();
+    }
+  }
+  const std::string_view here = session::name_of(on.value());
+  const std::string_view there = session::name_of(also.value());
+  return here == there ? std::nullopt
+                       : std::optional(session::bad_setup(fmt::format(
+                             "{}: the runs of a study are on one control, here on {} and {}; write "
+                             "a study for each, or name the control in [study]",
+                             axis.key, here, there)));
+}
+
 /// Each value with the first ones of all other lists, so that a long grid is tried quickly.
 std::optional<Refusal> StudyJobs::why_not_all() const {
   std::size_t stride = point_count(*study_);
-  if (const auto job = at(0, {}); !job) {
-    return job.error();
+  const auto first = at(0, {});
+  if (!first) {
+    return first.error();
   }
   for (const ListedAxis& axis : study_->listed) {
     stride /= axis.values.size();
     for (std::size_t i = 1; i < axis.values.size(); ++i) {
-      if (const auto job = at(i * stride, {}); !job) {
+      const auto job = at(i * stride, {});
+      if (!job) {
         return job.error();
+      }
+      if (auto wrong = why_other_control(axis, first.value(), job.value())) {
+        return wrong;
       }
     }
   }

@@ -33,6 +33,9 @@ class StudyJobs {
  private:
   explicit StudyJobs(const Study& study) : study_(&study) {}
   [[nodiscard]] const setup::SheetStack& stack_of(std::size_t point) const;
+  [[nodiscard]] std::optional<session::Refusal> why_other_control(const ListedAxis& axis,
+                                                                  const setup::Job& first,
+                                                                  const setup::Job& other) const;
 
   const Study* study_;
   std::vector<setup::SheetStack> stacks_;

@@ -14,11 +14,6 @@ namespace {
 
 using syntax::ValueForm;
 
-/// Letters whose plain integer argument means least increments (MB-196).
-bool counts_increments(char letter) {
-  return std::string_view("ABCIJKQRUVWXYZ").find(letter) != std::string_view::npos;
-}
-
 /// Where arguments wait that modal calls keep: below all levels of locals.
 std::size_t modal_depth(std::size_t which) {
   constexpr std::size_t kBelowAll = 1000;
@@ -31,7 +26,7 @@ double argument_value(const Control& control, const EvaluatedWord& word) {
   if (word.form != ValueForm::Integer) {
     return word.number;
   }
-  if (counts_increments(word.letter)) {
+  if (kIncrementArguments.find(word.letter) != std::string_view::npos) {
     return control.scale.length(word);
   }
   return word.letter == 'E' || word.letter == 'F' ? written_feed(control, word) : word.number;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "interpreter/syntax/tree.h"
 
@@ -16,5 +17,8 @@ constexpr int argument_variable(char letter) {
       0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 0,  0};
   return kVariables.at(static_cast<std::size_t>(letter - 'A'));
 }
+
+/// Letters whose plain integer argument means least increments (MB-196).
+inline constexpr std::string_view kIncrementArguments = "ABCIJKQRUVWXYZ";
 
 }  // namespace g31::fanuc

@@ -59,6 +59,11 @@ enum class GAction : std::uint8_t {
   Refused,      ///< not simulated, and the way would be another one without it
 };
 
+/// Whether a run tells that it passes over a code.
+constexpr bool is_passed_over(GAction action) {
+  return action == GAction::Unsimulated || action == GAction::SurfaceSpeed;
+}
+
 /// Which controls of the family have a G code.
 enum class CodeSet : std::uint8_t { Family, Meldas, Haas };
 
