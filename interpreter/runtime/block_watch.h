@@ -107,6 +107,9 @@ class BlockWatch {
     if (is_interrupted(budget_.interruption)) {
       return Halt::Stopped;
     }
+    if (budget_.progress != nullptr) {
+      (*budget_.progress)(blocks_);
+    }
     return is_time_up() ? std::optional(Halt::Time) : std::nullopt;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +33,8 @@ struct Budget {
   double wall_seconds = 600.0;
   OutputBudget* output = nullptr;              ///< outlives the run; nullptr: no end
   const Interruption* interruption = nullptr;  ///< outlives the run; nullptr: there is none
+  /// Is told now and then how many blocks there were; outlives the run; nullptr: nobody.
+  const std::function<void(std::uint64_t blocks)>* progress = nullptr;
 };
 
 /// What a run left behind.

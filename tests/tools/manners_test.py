@@ -6,6 +6,7 @@ Usage: manners_test.py G31
 import json
 import os
 import pathlib
+import pty
 import resource
 import shlex
 import signal
@@ -337,6 +338,35 @@ class Manners(unittest.TestCase):
             run.send_signal(ending)
             self.assertEqual(run.wait(timeout=60), 130)
             self.assertEqual([file.name for file in self.folder.iterdir() if file.name.endswith(".part")], [])
+
+    def seen_on_a_terminal(self, *words):
+        """What a command shows on standard error where that is a terminal."""
+        ours, its = pty.openpty()
+        shown = subprocess.Popen([G31, *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=its, text=True)
+        os.close(its)
+        seen = b""
+        while True:
+            try:
+                piece = os.read(ours, 65536)
+            except OSError:  # nobody writes any more
+                break
+            seen += piece
+            if not piece:
+                break
+        os.close(ours)
+        shown.communicate()
+        return seen.decode()
+
+    def test_a_long_run_says_on_a_terminal_how_far_it_is(self):
+        (self.folder / "a.nc").write_text("%\nO1\nN1 GOTO1\nM30\n%\n")
+        words = ("run", "a.nc", "--max-blocks", "100000000000", "--max-time", "2")
+        seen = self.seen_on_a_terminal(*words)
+        self.assertRegex(seen, r"\rrunning: \d+ blocks, 0 s of machine time, 1 s here\x1b\[K")
+        self.assertRegex(seen.rsplit("running", 1)[1], r"^[^\n]*\x1b\[K\r\x1b\[K", "gone before the messages")
+        self.assertNotIn("running", self.seen_on_a_terminal(*words, "-q"))
+        piped = self.g31(*words)
+        self.assertEqual(piped.returncode, 6)
+        self.assertNotIn("running", piped.stderr)
 
     def test_an_earlier_document_stays_until_a_new_one_takes_its_place(self):
         document = self.folder / "a.json"

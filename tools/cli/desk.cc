@@ -46,12 +46,6 @@ std::string coloured(std::string text, source::Severity severity) {
   return text;
 }
 
-/// What is printed has its place before it.
-void say(const std::string& text) {
-  std::fflush(stdout);
-  std::fputs(text.c_str(), stderr);
-}
-
 /// "X12.5 Y-3 Z0", to a tenth of a micrometre; rotary axes where one is not 0.
 std::string shown_axes(const AxisPositions& q) {
   std::string text;
@@ -101,7 +95,24 @@ std::string end_of(const report::RunResult& result) {
 }  // namespace
 
 Desk::Desk(const RunOptions& options, const source::SourceMap& sources)
-    : options_(options), sources_(sources), is_coloured_(wants_colours(options)) {}
+    : options_(options),
+      sources_(sources),
+      is_coloured_(wants_colours(options)),
+      line_(shows_progress(options.talk == Talk::Quiet)) {}
+
+/// What is printed has its place before it.
+void Desk::say(const std::string& text) const {
+  line_.clear();
+  std::fflush(stdout);
+  std::fputs(text.c_str(), stderr);
+}
+
+void Desk::progress(std::uint64_t blocks, double machine_time_s) {
+  line_.show([&](double elapsed_s) {
+    return fmt::format("running: {} blocks, {:.0f} s of machine time, {:.0f} s here", blocks,
+                       machine_time_s, elapsed_s);
+  });
+}
 
 std::string Desk::place(source::Location where) const {
   const source::ShownPlace shown = sources_.show(where);

@@ -30,11 +30,13 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
       "explain",
       "Say what a variable, code, alarm, parameter, function, statement, key of a set-up sheet, "
       "shape, control, message or exit code means; other words are looked for in all texts.");
-  explain->add_option(
-      "TOPIC", options.topics,
-      "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of a SINUMERIK "
-      "$AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, PRB301, SET103, 'exit 4'; "
-      "skip, 'ball diameter'")
+  explain
+      ->add_option("TOPIC", options.topics,
+                   "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of "
+                   "a SINUMERIK "
+                   "$AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, PRB301, "
+                   "SET103, 'exit 4'; "
+                   "skip, 'ball diameter'")
       ->check(why_no_word);
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
   explain->add_flag("--search", options.search,

@@ -2,28 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace g31::cli {
 
-bool shows_progress(bool quiet) {
-  return !quiet && ::isatty(STDERR_FILENO) == 1;
-}
-
 Progress::Progress(std::size_t total, std::string what, bool shows)
-    : total_(total), what_(std::move(what)), shows_(shows) {}
+    : total_(total), what_(std::move(what)), line_(shows) {}
 
-Progress::~Progress() {
-  if (has_line_) {
-    std::fputs("\r\033[K", stderr);
-  }
-}
-
-std::string Progress::line(std::size_t done, double elapsed_s) const {
+std::string Progress::text(std::size_t done, double elapsed_s) const {
   if (total_ == 0) {
     return fmt::format("{}, {:.0f} s", what_, elapsed_s);
   }
@@ -38,19 +26,7 @@ std::string Progress::line(std::size_t done, double elapsed_s) const {
 
 void Progress::one_done() {
   const std::size_t done = ++done_;
-  if (!shows_) {
-    return;
-  }
-  const std::lock_guard lock(mutex_);
-  const Clock::time_point now = Clock::now();
-  if (now < next_line_) {
-    return;
-  }
-  next_line_ = now + kBetweenLines;
-  has_line_ = true;
-  const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
-  std::fputs(fmt::format("\r{}\033[K", line(done, elapsed_s)).c_str(), stderr);
-  std::fflush(stderr);
+  line_.show([&](double elapsed_s) { return text(done, elapsed_s); });
 }
 
 }  // namespace g31::cli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -83,15 +84,20 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
 }
 
 /// What the run came to, with what was found before it, without what is allowed.
-session::Heard carried_out(const OpenedRun& opened) {
+session::Heard carried_out(const OpenedRun& opened, Desk& desk) {
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
   budget.wall_seconds = opened.time.left_s();
+  const std::function<void(std::uint64_t)> progress = [&](std::uint64_t blocks) {
+    desk.progress(blocks, opened.machine.time_s());
+  };
+  budget.progress = &progress;
   session::ProgramComments comments(opened.sources.files(), opened.prepared.control);
   session::Heard heard = session::heard(
       session::with_findings(opened.world.findings,
                              opened.run.session().run(budget, opened.chronicle)),
       comments, opened.options.programs.front(), opened.options.allowed, opened.sources);
+  desk.give_way();
   if (opened.chronicle != nullptr) {
     opened.chronicle->finish();
   }
@@ -178,7 +184,7 @@ std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs
 
 ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   const RunState before = opened.options.changes ? state_of(opened.run.session()) : RunState();
-  const session::Heard heard = carried_out(opened);
+  const session::Heard heard = carried_out(opened, outputs.desk);
   // Which programs are called shows while it runs.
   if (const auto wrong = wrong_place_of(opened.options,
                                         {opened.disk.paths().begin(), opened.disk.paths().end()})) {

@@ -118,6 +118,7 @@ void EchoingRecorder::print(const runtime::OutputEvent& event, std::string_view 
     budget().charge(runtime::Output::Printouts, event.text.size());
   }
   if (!budget().is_spent()) {
+    desk_->give_way();
     printouts_.write(shown);
   }
 }

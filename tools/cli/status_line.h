@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace g31::cli {
+
+/// Whether people see how far work is: standard error is a terminal, and nobody wants silence.
+bool shows_progress(bool quiet);
+
+/// One line on a terminal that says what goes on, once that has taken a second; elsewhere nothing.
+class StatusLine {
+ public:
+  /// @param shows  shows_progress()
+  explicit StatusLine(bool shows) : shows_(shows) {}
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
+  ~StatusLine() { clear(); }
+
+  /// From any thread.
+  /// @param text  asked for where it is time for another line, with the seconds since the beginning
+  void show(const std::function<std::string(double elapsed_s)>& text);
+
+  /// The line is gone until the next one is shown: the terminal is somebody else's.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kQuietAtFirst{1000};
+  static constexpr std::chrono::milliseconds kBetweenLines{100};
+
+  bool shows_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point next_line_ = begin_ + kQuietAtFirst;
+  bool has_line_ = false;
+  std::mutex mutex_;
+};
+
+}  // namespace g31::cli
