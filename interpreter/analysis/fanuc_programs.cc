@@ -131,8 +131,8 @@ PointReading points_of(const runtime::ControlSetup& setup) {
 std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
                                            source::SourceMap& sources,
                                            const runtime::ControlSetup& setup) {
-  return std::make_unique<FanucPrograms>(
-      profile, sources, WordReading{called_codes(setup), false, points_of(setup)});
+  return std::make_unique<FanucPrograms>(profile, sources,
+                                         WordReading{called_codes(setup), false, points_of(setup)});
 }
 
 }  // namespace g31::analysis

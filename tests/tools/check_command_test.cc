@@ -182,60 +182,6 @@ TEST(Check, ComparisonsJoinedWithoutBracketsAreTold) {
       }));
 }
 
-TEST(Check, NumbersThatHaveLostTheirPointAreTold) {
-  TemporaryFolder folder;
-  const std::string program = folder.write("CASE.NC",
-                                           "O1\n"
-                                           "G90 G54 G0 X10 Y-5.\n"
-                                           "G31 Z-999 F100\n"
-                                           "G65 P2 Z10 M1 A3 F300\n"
-                                           "G4 P500 (ms)\n"
-                                           "G68 X0 Y0 R45\n"
-                                           "G10 L2 P1 X5\n"
-                                           "G51 X0 Y0 I500 J500\n"
-                                           "G83 Z-5. R1. Q500 K2 F100.\n"
-                                           "G80 A90 X1000 Y#1\n"
-                                           "G2 X10. I5 K#2\n"
-                                           "M30\n"
-                                           "O2\nM99\n");
-  const auto told = [&](const std::string& sheet, const std::string& control) {
-    cli::CheckOptions options;
-    options.files = {program};
-    options.setups = {folder.write("sheet.toml", sheet)};
-    options.control = control;
-    std::vector<std::string> found;
-    for (const std::string& place : places(checked(options).text, folder)) {
-      if (place.ends_with(" [NC012]")) {
-        found.push_back(place.substr(std::string("CASE.NC:").size()));
-      }
-    }
-    return found;
-  };
-  const std::vector<std::string> expected = {
-      "2:12: warning: X10 without a decimal point is 0.01 (under G20 0.001) [NC012]",
-      "3:5: warning: Z-999 without a decimal point is -0.999 (under G20 -0.0999) [NC012]",
-      "4:8: warning: Z10 without a decimal point is 0.01 (under G20 0.001) [NC012]",
-      "4:15: warning: A3 without a decimal point is 0.003 [NC012]",
-      "6:11: warning: R45 without a decimal point is 0.045 (under G20 0.0045) [NC012]",
-      "10:5: warning: A90 without a decimal point is 0.09 [NC012]",
-      "11:9: warning: I5 without a decimal point is 0.005 (under G20 0.0005) [NC012]",
-  };
-  EXPECT_EQ(told("", ""), expected);
-  std::vector<std::string> of_haas = told("", "haas");
-  EXPECT_EQ(std::erase(of_haas,
-                       "3:12: warning: F100 without a decimal point is 0.1 (under G20 "
-                       "0.01) [NC012]") +
-                std::erase(of_haas,
-                           "4:18: warning: F300 without a decimal point is 0.3 (under G20 "
-                           "0.03) [NC012]"),
-            2U);
-  EXPECT_EQ(of_haas, expected);
-  EXPECT_EQ(told("[control.parameters]\n\"3401.0\" = 1\n", "").size(), 0U);
-  const auto finer = told("[control]\nincrement = \"IS-C\"\n", "");
-  ASSERT_EQ(finer.size(), expected.size());
-  EXPECT_TRUE(finer[0].starts_with("2:12: warning: X10 without a decimal point is 0.001 "));
-}
-
 TEST(Check, ConstantsThatDoNotFitAreTold) {
   TemporaryFolder folder;
   const std::string main = folder.write("PART.MPF",
@@ -546,17 +492,20 @@ TEST(Check, WhatOnlySeries30iHasIsWrongOnSeries16i) {
 TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {
   TemporaryFolder folder;
   cli::CheckOptions options;
-  options.files = {folder.write("case.nc", "O1\nG33 Z1. F1.\nG93 G1 X1. F2.\nG12 X1.\nM30\n")};
+  options.files = {
+      folder.write("case.nc", "O1\nG33 Z1. F1.\nG93 G1 X1. F2.\nG12 X1.\nG96 S100\nM30\n")};
   options.control = "fanuc-16i";
   EXPECT_EQ(places(checked(options).text, folder),
             (std::vector<std::string>{
                 "case.nc:2:1: warning: alarm 10, G33, thread cutting: not simulated: a run ends "
                 "here [NC007]",
                 "case.nc:3:1: warning: alarm 10, G93, inverse time feed: not simulated: a run ends "
-                "here [NC007]"}));
+                "here [NC007]",
+                "case.nc:5:1: warning: G96, constant surface speed: not simulated: a run passes "
+                "over it [NC007]"}));
   options.control = "haas";
   EXPECT_EQ(
-      places(checked(options).text, folder).back(),
+      places(checked(options).text, folder).at(2),
       "case.nc:4:1: warning: G12, circular pocket clockwise: not simulated: a run passes over "
       "it [NC007]");
 }

@@ -1,0 +1,88 @@
+// Numbers that have lost their decimal point: what `g31 check` says of them, and what a run reads.
+
+#include <algorithm>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/captured.h"
+#include "tests/support/temporary_folder.h"
+
+namespace g31::check_points_test {
+namespace {
+
+using testing::TemporaryFolder;
+
+const char* const kProgram =
+    "O1\n"
+    "G90 G54 G0 X10 Y-5.\n"
+    "G31 Z-999 F100\n"
+    "G65 P2 Z10 M1 A3 F300\n"
+    "G4 P500 (ms)\n"
+    "G68 X0 Y0 R45\n"
+    "G10 L2 P1 X5\n"
+    "G51 X0 Y0 I500 J500\n"
+    "G83 Z-5. R1. Q500 K2 F100.\n"
+    "G80 A90 X1000 Y#1\n"
+    "G2 X10. I5 K#2\n"
+    "M30\n"
+    "O2\nM99\n";
+
+/// "line:column: message" of each finding of NC012.
+std::vector<std::string> told(const std::string& sheet, const std::string& control) {
+  const TemporaryFolder folder;
+  const auto output = testing::g31({"check", folder.write("case.nc", kProgram), "--setup",
+                                    folder.write("sheet.toml", sheet), "--control", control});
+  static const std::regex kForm(R"(case\.nc:(.*): warning: (.*) \[NC012\])");
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(output.out.begin(), output.out.end(), kForm), end; at != end; ++at) {
+    found.push_back(at->format("$1: $2"));
+  }
+  return found;
+}
+
+const std::vector<std::string> kExpected = {
+    "2:12: X10 without a decimal point is 0.01 (under G20 0.001)",
+    "3:5: Z-999 without a decimal point is -0.999 (under G20 -0.0999)",
+    "4:8: Z10 without a decimal point is 0.01 (under G20 0.001)",
+    "4:15: A3 without a decimal point is 0.003",
+    "6:11: R45 without a decimal point is 0.045 (under G20 0.0045)",
+    "10:5: A90 without a decimal point is 0.09",
+    "11:9: I5 without a decimal point is 0.005 (under G20 0.0005)",
+};
+
+TEST(CheckPoints, ThatAreLostAreToldWhereTheyMakeALengthOfNothing) {
+  EXPECT_EQ(told("", "fanuc-16i"), kExpected);
+}
+
+TEST(CheckPoints, OfAFeedAreLostOnAHaas) {
+  std::vector<std::string> found = told("", "haas");
+  EXPECT_EQ(std::erase(found, "3:12: F100 without a decimal point is 0.1 (under G20 0.01)"), 1U);
+  EXPECT_EQ(std::erase(found, "4:18: F300 without a decimal point is 0.3 (under G20 0.03)"), 1U);
+  EXPECT_EQ(found, kExpected);
+}
+
+TEST(CheckPoints, AreNotMissedWhereTheSheetReadsWholeMillimetres) {
+  EXPECT_EQ(told("[control.parameters]\n\"3401.0\" = 1\n", "haas"), std::vector<std::string>());
+}
+
+TEST(CheckPoints, CountTheIncrementsOfTheSheet) {
+  const auto finer = told("[control]\nincrement = \"IS-C\"\n", "fanuc-16i");
+  ASSERT_EQ(finer.size(), kExpected.size());
+  EXPECT_EQ(finer[0], "2:12: X10 without a decimal point is 0.001 (under G20 0.0001)");
+}
+
+TEST(CheckPoints, AreReadByARunAsTheyAreTold) {
+  const TemporaryFolder folder;
+  const std::string program =
+      "O1\nG90 G0 X10\n#500=#5001\nG65 P2 Z10 A3 F300\nG20\nX10\n#504=#5001\nM30\n"
+      "O2\n#501=#26\n#502=#1\n#503=#9\nM99\n";
+  const auto output = testing::g31(
+      {"run", folder.write("case.nc", program), "--control", "haas", "--print", "#500-#504"});
+  EXPECT_EQ(output.out, "#500 = 0.01\n#501 = 0.01\n#502 = 0.003\n#503 = 0.3\n#504 = 0.001\n");
+}
+
+}  // namespace
+}  // namespace g31::check_points_test
