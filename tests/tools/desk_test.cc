@@ -124,6 +124,12 @@ TEST(Desk, ACollisionSaysWhere) {
                   "      = at X66 Y0 Z80 in work coordinates, X67 Y0 Z80 in those of the "
                   "machine\n      = G1 F500 on the way to X101 Y0 Z80 in those of the machine\n"))
       << said.errors;
+  std::string dead = sheet;
+  dead.insert(dead.find("length"), "state = \"dead\"\n");
+  const CommandOutput measuring = run_of("a.mpf", "MEAS=1 G1 X100 F500\nM30\n", {}, dead);
+  EXPECT_EQ(measuring.exit_code, 4);
+  EXPECT_TRUE(has(measuring.errors, "      = measuring move F500 on the way to X100 Y0 Z80 in "))
+      << measuring.errors;
 }
 
 TEST(Desk, VerboseShowsEachMeasuringMove) {

@@ -70,6 +70,12 @@ std::string shown_value(const runtime::ShownValue& value) {
       value);
 }
 
+/// "G1"; whatever the language has for a skip move, G31, MEAS or MEAWA.
+std::string name_of_move(int g) {
+  constexpr int kSkip = 31;
+  return g == kSkip ? "measuring move" : fmt::format("G{}", g);
+}
+
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -171,7 +177,7 @@ void Desk::tell(const report::RunResult& result, const report::RunRecorder& reco
                     shown_axes(fault->view.q_L), shown_axes(fault->q_M_at)));
     if (fault->move) {
       say(fmt::format(
-          "      = G{}{} on the way to {} in those of the machine\n", fault->move->g,
+          "      = {}{} on the way to {} in those of the machine\n", name_of_move(fault->move->g),
           fault->move->feed_mm_min > 0.0 ? fmt::format(" F{:.6g}", fault->move->feed_mm_min) : "",
           shown_axes(fault->move->q_M_to)));
     }
