@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tools/page/figure_pieces.h"
 #include "tools/page/html.h"
 #include "tools/page/run_parts.h"
 #include "tools/picture/base64.h"
 #include "tools/picture/thinned.h"
-#include "tools/picture/tip.h"
 
 namespace g31::page {
 namespace {
@@ -19,10 +19,6 @@ using Json = nlohmann::ordered_json;
 // Of a part in a picture: what a screen shows, in a page that is sent by mail.
 constexpr std::size_t kMostTriangles = 40'000;
 constexpr double kMostErrorMm = 0.05;
-
-Json array_of(const Point& p) {
-  return Json::array({p.x(), p.y(), p.z()});
-}
 
 /// Values as they lie in memory, least significant byte first, in base64.
 template <typename Value>
@@ -58,80 +54,11 @@ Json part_json(const RunPage& run, const picture::PicturedPart& part, const part
           {"triangles", packed(corners)}};
 }
 
-Json section_json(const probe::ProbeSection& section) {
-  return {
-      {"name", section.name},
-      {"z", {section.z_bottom, section.z_top}},
-      {"radius", {section.radius_bottom + section.rounding, section.radius_top + section.rounding}},
-      {"at", array_of(section.p_S)}};
-}
-
-/// What holds a further ball lies askew.
-bool is_upright(const probe::ProbeSection& section) {
-  return section.turn_S.isApprox(Eigen::Quaterniond::Identity(), 1e-9);
-}
-
-/// What is not upright, from end to end.
-Json arms_json(const std::vector<probe::ProbeSection>& sections) {
-  Json arms = Json::array();
-  for (const probe::ProbeSection& section : sections) {
-    if (!is_upright(section)) {
-      const auto at = [&](double z) {
-        return array_of(section.p_S + section.turn_S * Point(0.0, 0.0, z));
-      };
-      const double radius = std::max(section.radius_bottom, section.radius_top) + section.rounding;
-      arms.push_back(
-          {{"from", at(section.z_bottom)}, {"to", at(section.z_top)}, {"diameter", 2.0 * radius}});
-    }
-  }
-  return arms;
-}
-
-/// One cylinder in place of several upright pieces above each other; null: there is none.
-Json cylinder_json(const std::vector<probe::ProbeSection>& sections) {
-  double length = 0.0;
-  double radius = 0.0;
-  for (const probe::ProbeSection& section : sections) {
-    if (!is_upright(section)) {
-      continue;
-    }
-    length = std::max(length, section.z_top);
-    radius = std::max(
-        {radius, section.radius_bottom + section.rounding, section.radius_top + section.rounding});
-  }
-  return length == 0.0 ? Json() : Json{{"diameter", 2.0 * radius}, {"length", length}};
-}
-
-Json probe_json(const setup::Job& job) {
-  if (!job.probe) {
-    return {};
-  }
-  const probe::ProbeSetup& probe = *job.probe;
-  Json sections = Json::array();
-  for (const auto* const list : {&probe.stem, &probe.bodies}) {
-    for (const probe::ProbeSection& section : *list) {
-      sections.push_back(section_json(section));
-    }
-  }
-  Json further = Json::array();
-  for (const probe::StylusBall& ball : probe.further_balls) {
-    further.push_back({{"at", array_of(ball.p_S_from_main)}, {"diameter", ball.diameter_mm}});
-  }
-  return {{"ball", probe.ball_diameter_mm},    {"further", std::move(further)},
-          {"arms", arms_json(probe.stem)},     {"offset", array_of(picture::tip_of(job))},
-          {"stem", cylinder_json(probe.stem)}, {"body", cylinder_json(probe.bodies)},
-          {"sections", std::move(sections)}};
-}
-
 /// Whether what carries the ball is turned nowhere on a way.
 bool is_upright(const picture::Way& way) {
   return std::ranges::all_of(way.turns, [](const Eigen::Quaterniond& turn) {
     return turn.isApprox(Eigen::Quaterniond::Identity(), 1e-9);
   });
-}
-
-Json array_of(const Eigen::Quaterniond& turn) {
-  return Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
 }
 
 /// Ways belong to the moves by the times of their ends, which the same clock has told.
