@@ -137,6 +137,40 @@ test('the plan says what was put in: centre 1 um off in X, diameter by part and 
   await close();
 });
 
+/** The sample as a table turned by a quarter has it in the document; pictures have the parts as they stand. */
+function turnedRun() {
+  const run = sampleRun();
+  run.document.touches.forEach((touch, n) => {
+    if (!touch.contact) return;
+    const { contact, normal } = touch;
+    Object.assign(run.figures.touch[n], { contact, normal });
+    Object.assign(touch, { contact: turned(contact, QUARTER), normal: turned(normal, QUARTER) });
+  });
+  return run;
+}
+
+test('touches of a turned part are drawn where it stands', async () => {
+  const { document, figures } = turnedRun();
+  const upright = sampleRun();
+  const run = new Run(document, figures);
+  new Run(upright.document, upright.figures).contacts.forEach(({ place, normal, counts }, n) => {
+    assert.deepEqual([run.contacts[n].place, run.contacts[n].normal, run.contacts[n].counts], [place, normal, counts]);
+  });
+  const { page, close } = await open(browser, pageOf('turned', turnedRun()));
+  await page.click('tr[data-touch="3"] td:nth-child(3)');
+  assert.match(await page.textContent('#plancap'), /centre X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/);
+  assert.ok(await page.locator('.scene-labels .badge').count() >= 8);
+  await close();
+});
+
+test('a collision with a turned part is where it stands', () => {
+  const { document, figures } = sampleRun({ crash: true });
+  const { contact, normal } = document.collision;
+  document.collision.contact = turned(contact, QUARTER);
+  assert.deepEqual(new Run(document, { ...figures, collision: { contact, normal } }).collision.contact, contact);
+  assert.deepEqual(new Run(document, { ...figures, collision: null }).collision.contact, document.collision.contact);
+});
+
 test('another plane can be chosen and shows a section along the bore', async () => {
   const { page, close } = await open(browser, pageOf('planes', sampleRun()));
   await page.click('#planhead button[data-part="0"]');

@@ -1,5 +1,6 @@
 // The page of --report: what stands in it without script.
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -107,15 +108,31 @@ TEST_F(Report, SaysByHowMuchAResultIsOut) {
   EXPECT_TRUE(has(page, "WALL &lt;b&gt; is 0.0150 over its upper limit.")) << page.substr(0, 400);
 }
 
+/// Figures of a page that is small enough for plain text.
+nlohmann::json figures_in(const std::string& page) {
+  const std::string begin = R"(<script type="application/json" id="g31-figures">)";
+  const std::size_t from = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+void expect_near(const nlohmann::json& point, const std::array<double, 3>& wanted) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(point.at(axis).get<double>(), wanted[axis], 1e-6) << point;
+  }
+}
+
+/// A block on a table that C turns.
+constexpr const char* kTable =
+    "[start]\nZ = 150.0\n"
+    "[machine]\ntable_side = \"C\"\ntool_side = \"XYZ\"\n"
+    "[probe]\nball_diameter = 6.0\nlength = 100.0\n"
+    "[[part]]\nname = \"block\"\nshape = \"block\"\n"
+    "length = 40.0\nwidth = 40.0\nheight = 20.0\n"
+    "at = [30.0, 0.0, 0.0]\n";
+
 // The table has turned the block's side x = 20 towards -Y; the ball meets it squarely and in time.
 TEST_F(Report, TellsTouchesInTheFrameOfATurnedPart) {
-  const std::string sheet = folder_.write("table.toml",
-                                          "[start]\nZ = 150.0\n"
-                                          "[machine]\ntable_side = \"C\"\ntool_side = \"XYZ\"\n"
-                                          "[probe]\nball_diameter = 6.0\nlength = 100.0\n"
-                                          "[[part]]\nname = \"block\"\nshape = \"block\"\n"
-                                          "length = 40.0\nwidth = 40.0\nheight = 20.0\n"
-                                          "at = [30.0, 0.0, 0.0]\n");
+  const std::string sheet = folder_.write("table.toml", kTable);
   const std::string program = folder_.write(
       "turned.nc",
       "O4\nG21 G90 G54\nG0 C90.\nG0 X0. Y-80.\nG1 Z95. F2000.\nG31 Y0. F300.\nG0 Y-80.\nM30\n");
@@ -124,13 +141,20 @@ TEST_F(Report, TellsTouchesInTheFrameOfATurnedPart) {
   EXPECT_TRUE(has(text_in(path()),
                   R"(<td>block</td><td class="n">20.0000</td><td class="n">0.0000</td>)"
                   R"(<td class="n">−5.0000</td><td class="n dev">0.0</td><td class="n">0.0</td>)"));
+  // Pictures have the part as it stands without the turn; the document has where it was touched.
+  const nlohmann::json figure = figures_in(text_in(path())).at("touch").at(0);
+  expect_near(figure.at("contact"), {50.0, 0.0, -5.0});
+  expect_near(figure.at("normal"), {1.0, 0.0, 0.0});
 }
 
-/// Figures of a page that is small enough for plain text.
-nlohmann::json figures_in(const std::string& page) {
-  const std::string begin = R"(<script type="application/json" id="g31-figures">)";
-  const std::size_t from = page.find(begin) + begin.size();
-  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+TEST_F(Report, TellsWhereOnATurnedPartACollisionWas) {
+  const std::string program = folder_.write(
+      "crash.nc", "O4\nG21 G90 G54\nG0 C90.\nG0 X0. Y-80.\nG1 Z95. F2000.\nG1 Y0. F300.\nM30\n");
+  output_ = g31({"run", program, "-s", folder_.write("table.toml", kTable), "--report", path()});
+  ASSERT_EQ(output_.exit_code, 4) << output_.errors;
+  const nlohmann::json figure = figures_in(text_in(path())).at("collision");
+  expect_near(figure.at("contact"), {50.0, 0.0, -5.0});
+  expect_near(figure.at("normal"), {1.0, 0.0, 0.0});
 }
 
 // A ball of 4 mm stands 30 mm beside the main one, along X where the spindle is at 0: in a bore of

@@ -194,6 +194,7 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
       [&](const expect::What& what) { return value_of(opened, what); },
       opened.ways.ways(),
       opened.ways.contacts(),
+      opened.ways.collisions(),
       picture::parts_of(opened.world, opened.prepared.job, opened.ways.shown().q_M),
       command_of(opened.options),
       opened.other};

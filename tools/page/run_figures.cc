@@ -88,7 +88,16 @@ Json ways_json(const RunPage& run) {
   return list;
 }
 
-Json touches_json(const Pictured& pictured, const Report& report) {
+/// A place of contact on the part as pictures have it, where that is not where the document has it.
+Json contact_json(const Point& p_M, const Point& n_M,
+                  const std::optional<machine::Contact>& in_document) {
+  if (in_document && in_document->p_M_point == p_M && in_document->n_M == n_M) {
+    return Json::object();
+  }
+  return {{"contact", array_of(p_M)}, {"normal", array_of(n_M)}};
+}
+
+Json touches_json(const RunPage& run, const Pictured& pictured, const Report& report) {
   const auto or_null = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json();
   };
@@ -104,6 +113,10 @@ Json touches_json(const Pictured& pictured, const Report& report) {
     if (geometry.touching) {
       list.back()["radius"] = geometry.touching->radius_mm;
     }
+    if (geometry.p_M_contact) {
+      list.back().update(
+          contact_json(*geometry.p_M_contact, geometry.n_M, run.recorder.touches()[i].contact));
+    }
     if (const auto& share = pictured.shares[i]) {
       list.back()["part_deviation"] = share->nominal_to_true_mm;
       if (share->limits_mm) {
@@ -112,6 +125,16 @@ Json touches_json(const Pictured& pictured, const Report& report) {
     }
   }
   return list;
+}
+
+/// The place of the collision, as those of touches; null: there is none.
+Json collision_json(const RunPage& run) {
+  const auto& fault = run.recorder.fault();
+  if (!fault || !fault->contact || run.collisions.empty()) {
+    return {};
+  }
+  const picture::Mark& mark = run.collisions.back();
+  return contact_json(mark.p_M, mark.n_M, fault->contact);
 }
 
 /// What the page calls the files of touches, moves, calls, counts and collision, in their order in
@@ -191,7 +214,8 @@ std::string figures_of(const RunPage& run, const Pictured& pictured, const Repor
   }
   figures["probe"] = probe_json(run.job);
   figures["ways"] = ways_json(run);
-  figures["touch"] = touches_json(pictured, report);
+  figures["touch"] = touches_json(run, pictured, report);
+  figures["collision"] = collision_json(run);
   figures["names"] = names_json(run, pictured.names);
   figures["frame"] = frame_json(run, pictured.geometries, report);
   figures["words"] = words_json(report.language);

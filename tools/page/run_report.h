@@ -28,7 +28,8 @@ struct RunPage {
   /// The number that a variable or an offset is, where it is one.
   std::function<std::optional<double>(const expect::What& what)> value;
   std::span<const picture::Way> ways;
-  std::span<const picture::Mark> contacts;  ///< of skip moves
+  std::span<const picture::Mark> contacts;    ///< of skip moves
+  std::span<const picture::Mark> collisions;  ///< the last one is what ended the run
   std::vector<picture::PicturedPart> parts;
   std::string command;              ///< that repeats the run
   const OtherRun* other = nullptr;  ///< that is shown beside it; nullptr: none

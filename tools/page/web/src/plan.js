@@ -154,10 +154,10 @@ export class Plan {
 /** Where each wall was probed from. @param {PlanView} view @param {Sheet} page */
 function approachesOf(view, page) {
   const seen = new Set();
-  return view.contacts.map(({ touch, ball, radius }) => {
-    if (!touch.normal || !ball || seen.size > 24) return '';
+  return view.contacts.map(({ normal, ball, radius }) => {
+    if (!normal || !ball || seen.size > 24) return '';
     const reach = Math.min(view.frame.half * 0.3, 5 * (radius || view.frame.half));
-    const [nu, nv] = flat(touch.normal, view.plane);
+    const [nu, nv] = flat(normal, view.plane);
     const [u, v] = flat(ball, view.plane);
     const key = `${Math.round(u)} ${Math.round(v)}`;
     if (seen.has(key)) return '';

@@ -25,7 +25,7 @@ export const flat = (point, plane) => [point[plane.u], point[plane.v]];
 
 /** The plane that the touches' moves lie in. @param {Contact[]} contacts */
 export function planeOf(contacts) {
-  const out = PLANES.map(({ w }) => contacts.reduce((sum, { touch }) => sum + Math.abs(touch.normal?.[w] ?? 0), 0));
+  const out = PLANES.map(({ w }) => contacts.reduce((sum, { normal }) => sum + Math.abs(normal?.[w] ?? 0), 0));
   return PLANES[out.indexOf(Math.min(...out))];
 }
 
@@ -46,10 +46,10 @@ export class PlanView {
     this.part = part;
     this.plane = plane;
     const onPart = run.hits.filter(({ touch }) => touch.part === part.name);
-    this.contacts = onPart.filter(({ touch }) => Math.abs(touch.normal?.[plane.w] ?? 0) < IN_PLANE);
+    this.contacts = onPart.filter(({ normal }) => Math.abs(normal?.[plane.w] ?? 0) < IN_PLANE);
     const crash = run.collision;
     this.crash = crash && crash.contact && (crash.part === part.name || crash.part == null) ? crash : null;
-    const heights = (this.contacts.length ? this.contacts : onPart).map(({ touch }) => touch.contact?.[plane.w] ?? 0);
+    const heights = (this.contacts.length ? this.contacts : onPart).map(({ place }) => place?.[plane.w] ?? 0);
     if (this.crash?.contact && !heights.length) heights.push(this.crash.contact[plane.w]);
     const { low, high } = part.box;
     const [bottom, top] = [low[plane.w], high[plane.w]];
@@ -92,15 +92,15 @@ export class PlanView {
     /** @type {Map<Wall, Contact[]>} */
     const byWall = new Map();
     for (const contact of this.contacts) {
-      if (!contact.counts || contact.deviation == null || !contact.touch.contact) continue;
-      const wall = this.wallAt(flat(contact.touch.contact, this.plane));
+      if (!contact.counts || contact.deviation == null || !contact.place) continue;
+      const wall = this.wallAt(flat(contact.place, this.plane));
       if (wall) byWall.set(wall, [...(byWall.get(wall) ?? []), contact]);
     }
     const circles = [];
     for (const [{ circle: truth }, contacts] of byWall) {
       if (!truth) continue;
-      const angles = contacts.map(({ touch }) => {
-        const [u, v] = flat(touch.contact ?? [], this.plane);
+      const angles = contacts.map(({ place }) => {
+        const [u, v] = flat(place ?? [], this.plane);
         return Math.atan2(v - truth.v, u - truth.u);
       }).sort((a, b) => a - b);
       const directions = angles.filter((angle, n) => n === 0 || angle - angles[n - 1] > FEW_DIRECTIONS).length;
@@ -114,8 +114,8 @@ export class PlanView {
   /** Where the measurement puts the wall: on the true circle (a mesh is a polygon), deeper by the deviation.
    * @param {Contact} contact @param {{u: number, v: number, r: number}} truth @returns {Flat} */
   measuredPoint(contact, truth) {
-    const [u, v] = flat(contact.touch.contact ?? [], this.plane);
-    const [nu, nv] = flat(contact.touch.normal ?? [], this.plane);
+    const [u, v] = flat(contact.place ?? [], this.plane);
+    const [nu, nv] = flat(contact.normal ?? [], this.plane);
     const length = Math.hypot(u - truth.u, v - truth.v);
     const deviation = (contact.deviation ?? 0) + (contact.partDeviation ?? 0);
     return [truth.u + ((u - truth.u) / length) * truth.r - nu * deviation,
@@ -125,7 +125,7 @@ export class PlanView {
   /** Centre and half the span of the view, mm. */
   frameOf() {
     const { plane, part } = this;
-    const points = this.contacts.map(({ touch }) => flat(touch.contact ?? [], plane));
+    const points = this.contacts.map(({ place }) => flat(place ?? [], plane));
     if (this.crash?.contact) points.push(flat(this.crash.contact, plane));
     for (const { circle } of this.measured) {
       points.push([circle.u - circle.r, circle.v - circle.r], [circle.u + circle.r, circle.v + circle.r]);

@@ -34,8 +34,8 @@ function placed(view) {
   /** @type {Map<string, Whisker[]>} */
   const groups = new Map();
   for (const contact of view.contacts) {
-    const at = flat(contact.touch.contact ?? [], view.plane);
-    const normal = flat(contact.touch.normal ?? [], view.plane);
+    const at = flat(contact.place ?? [], view.plane);
+    const normal = flat(contact.normal ?? [], view.plane);
     const length = Math.hypot(...normal) || 1;
     const key = `${at.map((v) => Math.round(v * 2)).join()} ${normal.map((v) => v.toFixed(1)).join()}`;
     const group = groups.get(key) ?? [];

@@ -19,7 +19,7 @@ export function zonesOf(view, page) {
   if (!hasZones(view)) return '';
   const drawn = new Set();
   for (const contact of limited(view)) {
-    const wall = view.wallAt(flat(contact.touch.contact ?? [], view.plane));
+    const wall = view.wallAt(flat(contact.place ?? [], view.plane));
     drawn.add(wall?.circle ? ring(contact, wall.circle, view, page) : band(contact, view, page));
   }
   return [...drawn].join('');
@@ -31,8 +31,8 @@ function ring(contact, truth, view, page) {
   const m = view.magnification ?? 1;
   const measured = view.measured.find((each) => each.truth === truth)?.circle ?? truth;
   const [cu, cv] = [truth.u + m * (measured.u - truth.u), truth.v + m * (measured.v - truth.v)];
-  const [u, v] = flat(contact.touch.contact ?? [], view.plane);
-  const [nu, nv] = flat(contact.touch.normal ?? [], view.plane);
+  const [u, v] = flat(contact.place ?? [], view.plane);
+  const [nu, nv] = flat(contact.normal ?? [], view.plane);
   const outwards = nu * (u - truth.u) + nv * (v - truth.v) > 0 ? -1 : 1; // deeper in a bore is further out
   const [x, y] = page.at([cu, cv]);
   const circles = (contact.limits ?? []).map((depth) => {
@@ -45,10 +45,10 @@ function ring(contact, truth, view, page) {
 /** Along the wall at the touch. @param {import('./types').Contact} contact @param {PlanView} view @param {Sheet} page */
 function band(contact, view, page) {
   const m = view.magnification ?? 1;
-  const [nu, nv] = flat(contact.touch.normal ?? [], view.plane);
+  const [nu, nv] = flat(contact.normal ?? [], view.plane);
   const length = Math.hypot(nu, nv) || 1;
   const [du, dv] = [-nu / length, -nv / length];
-  const [x, y] = page.at(flat(contact.touch.contact ?? [], view.plane));
+  const [x, y] = page.at(flat(contact.place ?? [], view.plane));
   const corner = (/** @type {number} */ depth, /** @type {number} */ along) => {
     const deep = depth * m * page.scale;
     return `${(x + du * deep + dv * along).toFixed(1)} ${(y - dv * deep + du * along).toFixed(1)}`;

@@ -36,7 +36,7 @@ export class Run {
     this.moves = timedMoves(document);
     this.contacts = contactsOf(document, figures);
     this.hits = this.contacts.filter((contact) => contact.hit);
-    this.collision = document.collision ?? null;
+    this.collision = document.collision ? { ...document.collision, ...figures.collision } : null;
     const ends = [document.machine_time_s ?? 0, this.moves.at(-1)?.until ?? 0, this.ways.at(-1)?.time_s[1] ?? 0];
     this.duration = Math.max(...ends);
   }
@@ -125,6 +125,8 @@ function contactsOf(document, figures) {
       touch,
       time: touch.time_s,
       hit: touch.triggered && touch.contact != null,
+      place: figure?.contact ?? touch.contact,
+      normal: figure?.normal ?? touch.normal,
       ball: figure?.ball ?? null,
       radius: figure?.radius ?? (figures.probe?.ball ?? 0) / 2,
       deviation: figure?.deviation ?? null,
@@ -137,17 +139,17 @@ function contactsOf(document, figures) {
   });
   const hits = contacts.filter((contact) => contact.hit);
   hits.forEach((contact, index) => {
-    contact.counts = !(index + 1 < hits.length && sameWall(contact.touch, hits[index + 1].touch));
+    contact.counts = !(index + 1 < hits.length && sameWall(contact, hits[index + 1]));
   });
   return contacts;
 }
 
 /** Whether the second touch repeats the first, as slow touches repeat fast ones.
- * @param {import('./types').Touch} first @param {import('./types').Touch} second */
+ * @param {Contact} first @param {Contact} second */
 function sameWall(first, second) {
-  if (first.part !== second.part || !first.contact || !second.contact || !first.normal || !second.normal) return false;
-  const { contact, normal } = second;
-  const apart = Math.hypot(...first.contact.map((value, axis) => value - contact[axis]));
+  if (first.touch.part !== second.touch.part || !first.place || !second.place || !first.normal || !second.normal) return false;
+  const { place, normal } = second;
+  const apart = Math.hypot(...first.place.map((value, axis) => value - place[axis]));
   const along = first.normal.reduce((sum, value, axis) => sum + value * normal[axis], 0);
-  return apart < SAME_PLACE && along > 0.999 && first.time_s < second.time_s;
+  return apart < SAME_PLACE && along > 0.999 && first.time < second.time;
 }

@@ -28,12 +28,12 @@ export function apexOf(part, run) {
     const isHit = collision?.part === part.name && collision.contact;
     return isHit ? [0, 1, 2].map((axis) => (part.box.low[axis] + part.box.high[axis]) / 2) : null;
   }
-  const middle = middleOf(points.map(({ touch }) => touch.contact ?? []));
-  const inward = points.filter(({ touch: { contact, normal } }) => contact && normal
-    && (contact[0] - middle[0]) * normal[0] + (contact[1] - middle[1]) * normal[1] < 0);
+  const middle = middleOf(points.map(({ place }) => place ?? []));
+  const inward = points.filter(({ place, normal }) => place && normal
+    && (place[0] - middle[0]) * normal[0] + (place[1] - middle[1]) * normal[1] < 0);
   // A part with bosses and bores stays whole: its pins must not vanish with what is cut away.
   if (inward.length < 2 || inward.length < INWARD * points.length) return null;
-  return middleOf(inward.map(({ touch }) => touch.contact ?? []));
+  return middleOf(inward.map(({ place }) => place ?? []));
 }
 
 /** @param {number[][]} points */
@@ -110,7 +110,7 @@ export function placesOf(run) {
   /** @type {Map<string, Contact>} */
   const places = new Map();
   for (const contact of run.hits) {
-    const key = (contact.touch.contact ?? []).map((value) => Math.round(value * SAME)).join();
+    const key = (contact.place ?? []).map((value) => Math.round(value * SAME)).join();
     const there = places.get(key);
     if (!there || contact.counts || !there.counts) places.set(key, contact);
     if (places.size >= CONTACTS) break;

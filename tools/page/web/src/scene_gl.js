@@ -113,11 +113,11 @@ export class SceneGl {
     const normals = [];
     /** @type {number[]} */
     const whiskers = [];
-    for (const { touch: { contact, normal }, deviation } of this.places ?? []) {
-      if (!contact || !normal) continue;
-      const tip = contact.map((value, axis) => value + normal[axis] * long);
-      normals.push(...contact, ...tip, ...barbs(tip, normal, 0.22 * long));
-      if (deviation) whiskers.push(...contact, ...contact.map((value, axis) => value - normal[axis] * deviation * magnification));
+    for (const { place, normal, deviation } of this.places ?? []) {
+      if (!place || !normal) continue;
+      const tip = place.map((value, axis) => value + normal[axis] * long);
+      normals.push(...place, ...tip, ...barbs(tip, normal, 0.22 * long));
+      if (deviation) whiskers.push(...place, ...place.map((value, axis) => value - normal[axis] * deviation * magnification));
     }
     this.normals?.setAbsolute(normals);
     this.whiskers?.setAbsolute(whiskers);

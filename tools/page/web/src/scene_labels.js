@@ -41,7 +41,7 @@ export class SceneLabels {
     const shown = [];
     for (const contact of order) {
       if (shown.length >= LABELS) break;
-      const label = contact.touch.contact ? this.numbered(orbit, contact, taken) : '';
+      const label = contact.place ? this.numbered(orbit, contact, taken) : '';
       if (label) shown.push(label);
     }
     const crash = run.collision?.contact;
@@ -54,7 +54,7 @@ export class SceneLabels {
 
   /** @param {Orbit} orbit @param {import('./types').Contact} contact @param {Rect[]} taken */
   numbered(orbit, contact, taken) {
-    const [x, y] = orbit.project(contact.touch.contact ?? []);
+    const [x, y] = orbit.project(contact.place ?? []);
     if (x < 0 || y < 0 || x > orbit.width || y > orbit.height) return '';
     const wide = 16 + 7 * String(contact.number).length;
     for (const [dx, dy] of WAYS_OUT) {

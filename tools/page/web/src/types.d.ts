@@ -48,6 +48,8 @@ export interface WayFigure { move: number; kind: Kind; time_s: [number, number];
 export interface TouchFigure {
   /** The ball that touched. */
   ball: Point; radius?: number;
+  /** Where the axes have turned the part or the tool: in the frame of the part as it stands in the pictures. */
+  contact?: Point; normal?: Point;
   deviation: number | null; part_deviation?: number | null; angle: number | null; role: string;
   /** Half of the tolerance of the size that the wall is of, into the material. */
   limits?: [number, number];
@@ -61,6 +63,8 @@ export interface FileNames {
 export interface Figures {
   parts?: PartFigure[]; probe?: ProbeFigure | null; ways?: WayFigure[]; touch?: TouchFigure[];
   frame?: { name: string; origin: Point };
+  /** As those of touches. */
+  collision?: { contact: Point; normal: Point } | null;
   names?: FileNames | null;
   compare?: { document: RunDocument; figures: Figures } | null;
   words?: Record<string, string>; language?: string; listing?: { file: string; text: string }[];
@@ -68,7 +72,10 @@ export interface Figures {
 
 /** A touch with all that figures show of it; its number counts from 1. */
 export interface Contact {
-  number: number; touch: Touch; time: number; hit: boolean; ball: Point | null; radius: number;
+  number: number; touch: Touch; time: number; hit: boolean;
+  /** On the part as it stands in the pictures; the document has them where the axes stood. */
+  place: Point | null; normal: Point | null;
+  ball: Point | null; radius: number;
   deviation: number | null; partDeviation: number | null; angle: number | null; role: string;
   limits: [number, number] | null;
   /** Whether the measurement rests on it: no second touch of the same place follows at once. */
