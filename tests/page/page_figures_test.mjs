@@ -163,6 +163,37 @@ test('touches of a turned part are drawn where it stands', async () => {
   await close();
 });
 
+/** The sample with its housing, and what touched it, tilted about the housing's origin. */
+function tiltedRun(turn) {
+  const run = sampleRun();
+  const [housing] = run.figures.parts;
+  const { origin } = housing;
+  const about = (point) => turned(point.map((value, axis) => value - origin[axis]), turn).map((value, axis) => value + origin[axis]);
+  const bytes = Buffer.from(housing.positions, 'base64');
+  const flat = new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
+  const positions = new Float32Array(flat.length);
+  for (let at = 0; at < flat.length; at += 3) positions.set(turned([...flat.subarray(at, at + 3)], turn), at);
+  Object.assign(housing, { turn, positions: Buffer.from(positions.buffer).toString('base64') });
+  run.document.touches.forEach((touch, n) => {
+    const figure = run.figures.touch[n];
+    if (touch.part !== 'housing') return;
+    Object.assign(touch, { contact: about(touch.contact), normal: turned(touch.normal, turn) });
+    figure.ball = about(figure.ball);
+  });
+  return run;
+}
+
+test('a tilted part is seen along its own axes', async () => {
+  const turn = [Math.sin(0.3), 0, 0, Math.cos(0.3)];
+  const { page, close } = await open(browser, pageOf('tilted', tiltedRun(turn)));
+  await page.click('tr[data-touch="3"] td:nth-child(3)');
+  assert.match(await page.textContent('#planhead'), /housing, part frame, section at Z −5\.0 mm/);
+  assert.match(await page.textContent('#plancap'), /centre X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/);
+  await page.click('tr[data-touch="24"] td:nth-child(3)'); // a part that is not tilted
+  assert.match(await page.textContent('#planhead'), /plate, G54, section at Z/);
+  await close();
+});
+
 test('a collision with a turned part is where it stands', () => {
   const { document, figures } = sampleRun({ crash: true });
   const { contact, normal } = document.collision;

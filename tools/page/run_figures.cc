@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "parts/geometry/placement.h"
 #include "tools/page/figure_pieces.h"
 #include "tools/page/html.h"
 #include "tools/page/run_parts.h"
@@ -45,13 +46,18 @@ Json part_json(const RunPage& run, const picture::PicturedPart& part, const part
   for (const auto& triangle : mesh.triangles) {
     corners.insert(corners.end(), triangle.begin(), triangle.end());
   }
-  return {{"name", part.name},
-          {"shape", is_named && !sheet->shape.empty() ? Json(sheet->shape) : Json()},
-          {"sizes", is_named ? Json(sheet->sizes) : Json::object()},
-          {"fixture", part.is_fixture},
-          {"origin", array_of(p_M_origin)},
-          {"positions", packed(places)},
-          {"triangles", packed(corners)}};
+  Json figure = {{"name", part.name},
+                 {"shape", is_named && !sheet->shape.empty() ? Json(sheet->shape) : Json()},
+                 {"sizes", is_named ? Json(sheet->sizes) : Json::object()},
+                 {"fixture", part.is_fixture},
+                 {"origin", array_of(p_M_origin)},
+                 {"positions", packed(places)},
+                 {"triangles", packed(corners)}};
+  if (is_named && !sheet->rotate_deg.isZero(0.0)) {
+    figure["turn"] = array_of(
+        Eigen::Quaterniond(parts::rotation_to_machine({Point::Zero(), sheet->rotate_deg})));
+  }
+  return figure;
 }
 
 /// Whether what carries the ball is turned nowhere on a way.

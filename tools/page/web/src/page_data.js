@@ -1,5 +1,6 @@
 // Reads what the command has put into the page.
 import { gunzipSync, strFromU8 } from 'fflate';
+import { UPRIGHT } from './turn.js';
 
 /** @param {string} text base64 */
 export function bytesOf(text) {
@@ -42,6 +43,7 @@ export function partsOf(figures) {
       name: part.name,
       fixture: part.fixture ?? false,
       origin: part.origin,
+      turn: part.turn ?? UPRIGHT,
       positions,
       triangles: new Uint32Array(bytesOf(part.triangles).buffer),
       box: { low, high },

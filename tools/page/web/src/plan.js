@@ -1,13 +1,12 @@
 // The plan view: outline of a part at the height of its touches, touches with magnified deviations, the playing ball.
 import { byId, clamp, decimalsOf, esc, niceStep, num } from './markup.js';
 import { planKeys } from './plan_keys.js';
-import { PLANES, PlanView, flat, planeOf } from './plan_view.js';
+import { flat, height, planeOf, planesOf } from './plan_planes.js';
+import { PlanView } from './plan_view.js';
 import { whiskersOf } from './plan_whiskers.js';
 import { drawCrash, drawOrigin, measuredOf } from './plan_places.js';
 import { hasZones, zonesOf } from './plan_zones.js';
 import { word } from './words.js';
-
-const AXES = ['X', 'Y', 'Z'];
 
 export class Plan {
   /** @param {import('./choice').Choice} choice @param {import('./types').Part[]} parts
@@ -23,8 +22,9 @@ export class Plan {
     /** @type {Map<string, PlanView>} */
     this.views = new Map();
     this.part = this.parts.find((part) => part.name === (run.collision?.part ?? choice.contact?.touch.part)) ?? this.parts[0];
-    /** @type {Map<string, import('./plan_view').Plane>} */
+    /** @type {Map<string, import('./plan_planes').Plane>} chosen */
     this.planes = new Map();
+    this.choices = new Map(this.parts.map((part) => [part, planesOf(part)]));
     if (!this.box) return;
     byId('planhead')?.addEventListener('click', (event) => this.clicked(/** @type {HTMLElement} */ (event.target)));
     choice.listen((change) => this.hear(change));
@@ -47,17 +47,21 @@ export class Plan {
     if (!button) return;
     const { part, plane } = button.dataset;
     if (part != null) this.part = this.parts[Number(part)];
-    if (plane != null) this.planes.set(this.part.name, PLANES[Number(plane)]);
+    if (plane != null) this.planes.set(this.part.name, this.choicesNow()[Number(plane)]);
     this.draw();
     const kept = part != null ? `[data-part="${part}"]` : `[data-plane="${plane}"]`;
     /** @type {HTMLElement | null | undefined} */ (byId('planhead')?.querySelector(`button${kept}`))?.focus();
+  }
+
+  choicesNow() {
+    return this.choices.get(this.part) ?? [];
   }
 
   plane() {
     const known = this.planes.get(this.part.name);
     if (known) return known;
     const { run } = this.choice;
-    const plane = planeOf(run.hits.filter(({ touch }) => touch.part === this.part.name));
+    const plane = planeOf(run.hits.filter(({ touch }) => touch.part === this.part.name), this.choicesNow());
     this.planes.set(this.part.name, plane);
     return plane;
   }
@@ -80,8 +84,8 @@ export class Plan {
     const width = wanted ?? Math.max(260, Math.round(this.box.clientWidth || 600));
     const view = this.view();
     const page = new Sheet(view, width, clamp(width * share, 300, 540));
-    const { run, touch } = this.choice;
-    const drawing = [this.material(view, page), page.rulers(run.frame.origin), zonesOf(view, page), measuredOf(view, page), drawOrigin(view, page),
+    const { touch } = this.choice;
+    const drawing = [this.material(view, page), page.rulers(), zonesOf(view, page), measuredOf(view, page), drawOrigin(view, page),
       this.ghost(view, page), view.crash ? '' : approachesOf(view, page), whiskersOf(view, page, touch), view.crash ? drawCrash(view, page) : '',
       this.ball(page), page.scales()].join('');
     const label = esc(word('plan_aria', { part: this.part.name }));
@@ -136,18 +140,18 @@ export class Plan {
   head(view) {
     const head = byId('planhead');
     if (!head) return;
-    const { run } = this.choice;
+    const planes = this.choicesNow();
     const size = view.magnification ? word('plan_magnified', { mag: view.magnification }) : word('plan_true_size');
-    const axis = AXES[view.plane.w];
-    const height = num(view.height - run.frame.origin[view.plane.w], 1);
+    const { axis } = view.plane;
+    const above = num(view.height - height(view.from.origin, view.plane), 1);
     const choose = (/** @type {string} */ label, /** @type {string} */ name, /** @type {string[]} */ items, /** @type {number} */ on) =>
       `<span class="seg noprint" role="group" aria-label="${esc(label)}">${items.map((item, n) => `<button data-${name}="${n}" `
         + `aria-pressed="${n === on}">${esc(item)}</button>`).join('')}</span>`;
     const parts = this.parts.length > 1
       ? choose(word('plan_part'), 'part', this.parts.map((part) => part.name), this.parts.indexOf(this.part)) : '';
-    head.innerHTML = `<h2>${esc(word('plan_view'))}</h2><span class="sub">${esc(this.part.name)}, ${esc(run.frame.name)}, `
-      + `${esc(word('section_at', { axis, height }))}; ${esc(size)}</span><span class="right">${parts}`
-      + `${choose(word('plan_plane'), 'plane', PLANES.map(({ name }) => name), PLANES.indexOf(view.plane))}</span>`;
+    head.innerHTML = `<h2>${esc(word('plan_view'))}</h2><span class="sub">${esc(this.part.name)}, ${esc(view.from.name)}, `
+      + `${esc(word('section_at', { axis, height: above }))}; ${esc(size)}</span><span class="right">${parts}`
+      + `${choose(word('plan_plane'), 'plane', planes.map(({ name }) => name), planes.indexOf(view.plane))}</span>`;
   }
 }
 
@@ -197,15 +201,16 @@ export class Sheet {
       + `L${barb(0.45)}" fill="none" stroke="${ink}" stroke-width="${width}"/>`;
   }
 
-  /** Ticks of both axes along the edges, in the frame that is shown. @param {number[]} origin */
-  rulers(origin) {
-    const { plane } = this.view;
+  /** Ticks of both axes along the edges, in the frame that is shown. */
+  rulers() {
+    const { plane, from } = this.view;
+    const origin = flat(from.origin, plane);
     const step = niceStep(62 / this.scale);
     const decimals = decimalsOf(step);
     let ticks = '';
     let texts = '';
     const axisTicks = (/** @type {boolean} */ across) => {
-      const zero = origin[across ? plane.u : plane.v];
+      const zero = origin[across ? 0 : 1];
       const middle = (across ? this.view.frame.u : this.view.frame.v) - zero;
       const reach = (across ? this.width : this.height) / 2 / this.scale;
       for (let n = Math.ceil((middle - reach) / step * 2); n <= ((middle + reach) / step) * 2; ++n) {
@@ -225,8 +230,8 @@ export class Sheet {
     axisTicks(true);
     axisTicks(false);
     return `<path d="${ticks}" stroke="var(--line2)"/><g font-size="10.5" fill="var(--ink3)">${texts}</g>`
-      + `<g font-size="11" fill="var(--ink2)"><text x="12" y="18" class="halo">${AXES[plane.v]} mm</text>`
-      + `<text x="${this.width - 12}" y="${this.height - 12}" text-anchor="end" class="halo">${AXES[plane.u]} mm</text></g>`;
+      + `<g font-size="11" fill="var(--ink2)"><text x="12" y="18" class="halo">${plane.name[1]} mm</text>`
+      + `<text x="${this.width - 12}" y="${this.height - 12}" text-anchor="end" class="halo">${plane.name[0]} mm</text></g>`;
   }
 
   /** Bars of true and of magnified lengths, in their own inks. */

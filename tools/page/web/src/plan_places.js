@@ -1,6 +1,6 @@
 // Places in a plan view: origin of the frame, measured circles and centres, the place of a collision.
 import { esc, num, um } from './markup.js';
-import { flat } from './plan_view.js';
+import { flat } from './plan_planes.js';
 import { word } from './words.js';
 
 const OFF = 0.5; // mm; a wall further off its frame's origin than that is worth a dimension in a collision
@@ -14,7 +14,7 @@ const cross = (x, y, arm) => `M${(x - arm).toFixed(1)} ${y.toFixed(1)}h${2 * arm
 
 /** Centre lines through the origin of the frame. @param {PlanView} view @param {Sheet} page */
 export function drawOrigin(view, page) {
-  const [x, y] = page.at(flat(view.run.frame.origin, view.plane));
+  const [x, y] = page.at(flat(view.from.origin, view.plane));
   const near = 0.06 * page.height;
   let d = '';
   if (x > 0 && x < page.width) d += `M${x.toFixed(1)} ${near.toFixed(1)}V${(page.height - near).toFixed(1)}`;
@@ -83,7 +83,7 @@ export function drawCrash(view, page) {
 /** @param {PlanView} view @param {Sheet} page @param {import('./section').Flat} place */
 function wallDistance(view, page, place) {
   const wall = view.nearestRound(place);
-  const origin = flat(view.run.frame.origin, view.plane);
+  const origin = flat(view.from.origin, view.plane);
   if (!wall) return '';
   const distance = Math.hypot(wall.u - origin[0], wall.v - origin[1]);
   const [ox, oy] = page.at(origin);
@@ -91,7 +91,7 @@ function wallDistance(view, page, place) {
   if (distance < OFF || distance > NEAR * wall.r || !isSeen) return '';
   const [cx, cy] = page.at([wall.u, wall.v]);
   const r = (wall.r * page.scale).toFixed(1);
-  const text = word('wall_off', { distance: num(distance), frame: view.run.frame.name });
+  const text = word('wall_off', { distance: num(distance), frame: view.from.name });
   const middle = Math.min(Math.max((cx + ox) / 2, 6 + text.length * 3), page.width - 6 - text.length * 3);
   const level = Math.min(Math.max(cy, oy) + 40, page.height - 44);
   return `<circle cx="${ox.toFixed(1)}" cy="${oy.toFixed(1)}" r="${r}" fill="none" stroke="var(--ink)" stroke-dasharray="6 4"/>`

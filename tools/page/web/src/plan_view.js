@@ -1,33 +1,18 @@
 // What a plan view shows: a part, a plane, the touches in it, the outline of the part there and how it is scaled.
 import { clamp } from './markup.js';
+import { boundsOf, flat, frameOf, height } from './plan_planes.js';
 import { circleOf, cutsOf, outlinesOf, roundOf } from './section.js';
 
 /** @typedef {import('./types').Contact} Contact */
 /** @typedef {import('./section').Flat} Flat */
+/** @typedef {import('./plan_planes').Plane} Plane */
 /** @typedef {{outline: Flat[], circle: {u: number, v: number, r: number} | null}} Wall */
-
-/** Right and up of a plane, and the axis that looks out of it. */
-export const PLANES = [
-  { name: 'XY', u: 0, v: 1, w: 2 },
-  { name: 'XZ', u: 0, v: 2, w: 1 },
-  { name: 'YZ', u: 1, v: 2, w: 0 },
-];
-/** @typedef {typeof PLANES[number]} Plane */
 
 const MAGNIFICATIONS = [20, 50, 100, 200, 500, 1000, 2000, 5000];
 const IN_PLANE = 0.75; // of a normal's length; touches that look further out of the plane are not of it
 const AROUND = 1.83; // the view spans this much more than the contacts do
 const SEEN = 5e-5; // mm; what is less is shown as 0.0 um
 const FEW_DIRECTIONS = 0.2; // rad; touches closer together than that on a wall are one direction
-
-/** @param {number[]} point @param {Plane} plane @returns {Flat} */
-export const flat = (point, plane) => [point[plane.u], point[plane.v]];
-
-/** The plane that the touches' moves lie in. @param {Contact[]} contacts */
-export function planeOf(contacts) {
-  const out = PLANES.map(({ w }) => contacts.reduce((sum, { normal }) => sum + Math.abs(normal?.[w] ?? 0), 0));
-  return PLANES[out.indexOf(Math.min(...out))];
-}
 
 /** @param {number[]} values not empty */
 function median(values) {
@@ -45,14 +30,15 @@ export class PlanView {
     this.run = run;
     this.part = part;
     this.plane = plane;
+    this.from = frameOf(part, run);
+    this.bounds = boundsOf(part, plane);
     const onPart = run.hits.filter(({ touch }) => touch.part === part.name);
-    this.contacts = onPart.filter(({ normal }) => Math.abs(normal?.[plane.w] ?? 0) < IN_PLANE);
+    this.contacts = onPart.filter(({ normal }) => !normal || Math.abs(height(normal, plane)) < IN_PLANE);
     const crash = run.collision;
     this.crash = crash && crash.contact && (crash.part === part.name || crash.part == null) ? crash : null;
-    const heights = (this.contacts.length ? this.contacts : onPart).map(({ place }) => place?.[plane.w] ?? 0);
-    if (this.crash?.contact && !heights.length) heights.push(this.crash.contact[plane.w]);
-    const { low, high } = part.box;
-    const [bottom, top] = [low[plane.w], high[plane.w]];
+    const heights = (this.contacts.length ? this.contacts : onPart).map(({ place }) => height(place ?? [0, 0, 0], plane));
+    if (this.crash?.contact && !heights.length) heights.push(height(this.crash.contact, plane));
+    const [bottom, top] = [this.bounds.low[2], this.bounds.high[2]];
     const wanted = heights.length ? median(heights) : (bottom + top) / 2;
     // Just below the top, where the touches are on it: there the outline is that of the material.
     this.height = clamp(wanted, bottom + 1e-3 * (top - bottom), top - 1e-3 * (top - bottom));
@@ -64,12 +50,11 @@ export class PlanView {
 
   /** @returns {Wall[]} */
   wallsAt() {
-    const { plane, part, height } = this;
-    const normal = [0, 1, 2].map((axis) => (axis === plane.w ? 1 : 0));
-    const cuts = cutsOf(part, normal, height);
+    const { plane, part } = this;
+    const cuts = cutsOf(part, plane.out, this.height);
     /** @type {Flat[]} */
     const ends = [];
-    for (let n = 0; n < cuts.length; n += 3) ends.push([cuts[n + plane.u], cuts[n + plane.v]]);
+    for (let n = 0; n < cuts.length; n += 3) ends.push(flat(cuts.slice(n, n + 3), plane));
     return outlinesOf(ends).map((outline) => ({ outline, circle: roundOf(outline) }));
   }
 
@@ -124,20 +109,19 @@ export class PlanView {
 
   /** Centre and half the span of the view, mm. */
   frameOf() {
-    const { plane, part } = this;
+    const { plane } = this;
+    const { low, high } = this.bounds;
     const points = this.contacts.map(({ place }) => flat(place ?? [], plane));
     if (this.crash?.contact) points.push(flat(this.crash.contact, plane));
     for (const { circle } of this.measured) {
       points.push([circle.u - circle.r, circle.v - circle.r], [circle.u + circle.r, circle.v + circle.r]);
     }
-    const low = flat(part.box.low, plane);
-    const high = flat(part.box.high, plane);
     const whole = Math.max(high[0] - low[0], high[1] - low[1]) / 2;
     if (!points.length) return { u: (low[0] + high[0]) / 2, v: (low[1] + high[1]) / 2, half: 1.1 * whole };
     if (this.crash) {
       const wall = this.nearestRound(points[0]);
       if (wall) points.push([wall.u - wall.r, wall.v - wall.r], [wall.u + wall.r, wall.v + wall.r]);
-      const origin = flat(this.run.frame.origin, plane);
+      const origin = flat(this.from.origin, plane);
       const isOfFrame = wall && Math.hypot(wall.u - origin[0], wall.v - origin[1]) < 1.2 * wall.r;
       if (isOfFrame) points.push(origin);
     }

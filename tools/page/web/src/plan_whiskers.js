@@ -1,6 +1,6 @@
 // Touches of a plan view: the ball in true size, the deviation magnified along the normal, the number, the value.
 import { mark, um } from './markup.js';
-import { flat } from './plan_view.js';
+import { flat } from './plan_planes.js';
 
 const LABELS = 80; // numbers; more would be no plan view
 const BESIDE = 3.6; // px between the whiskers of one place

@@ -1,5 +1,5 @@
 // The tolerance of a size about what was measured of it: rings at round walls, bands at flat ones.
-import { flat } from './plan_view.js';
+import { flat } from './plan_planes.js';
 
 const BAND = 34; // px along a flat wall
 

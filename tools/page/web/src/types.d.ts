@@ -32,6 +32,8 @@ export interface RunDocument {
 export interface PartFigure {
   name: string; shape: string | null; sizes?: Record<string, number>; fixture?: boolean;
   origin: Point; positions: string; triangles: string;
+  /** From the part's own axes to the machine's: a quaternion x y z w; without it none. */
+  turn?: number[];
 }
 
 export interface Cylinder { diameter: number; length: number }
@@ -86,7 +88,7 @@ export interface TimedMove extends Move { kind: Kind; from: number; until: numbe
 
 export interface Box { low: Point; high: Point }
 export interface Part {
-  name: string; fixture: boolean; origin: Point;
+  name: string; fixture: boolean; origin: Point; turn: number[];
   /** Relative to origin. */
   positions: Float32Array; triangles: Uint32Array;
   /** In machine coordinates. */

@@ -30,6 +30,7 @@ const ENGLISH = {
   tolerance_of_size: 'tolerance of size',
   probing_direction: 'probing direction',
   thin_does_not_count: 'thin: first touch, does not count',
+  part_frame: 'part frame',
   section_at: 'section at {axis} {height} mm',
   where_wall_is: 'where the wall is',
   origin_of: 'origin of {frame}',
