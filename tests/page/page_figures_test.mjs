@@ -220,9 +220,37 @@ test('a collision is shown in plan, scene and time line', async () => {
   await close();
 });
 
-test('the other run is a dashed ghost in plan and time line', async () => {
+/** The sample beside another run, of which only the document and what comes of it is there. */
+function comparedRun(shift = 0) {
   const run = sampleRun();
-  run.figures.compare = sampleRun({ shift: 0.004 });
+  const { document, figures: { ways, touch } } = sampleRun({ shift });
+  run.figures.compare = { document, figures: { ways, touch } };
+  return run;
+}
+
+/** Curves of the time line: those of the other run and those of the run. */
+const curvesIn = (page) => page.evaluate(() => ['.ghost[fill="none"]', 'path[stroke="var(--ink)"][stroke-linejoin="round"]'].map((curves) =>
+  [...document.querySelectorAll(`#chart ${curves}`)].map((curve) => curve.getAttribute('d'))));
+
+test('the same run beside itself lies on its own curves', async () => {
+  const { page, close } = await open(browser, pageOf('beside', comparedRun()));
+  const [ghosts, own] = await curvesIn(page);
+  assert.equal(own.length, 3);
+  assert.deepEqual(ghosts, own);
+  await close();
+});
+
+test('another run without times has touches in the time line, and no more', async () => {
+  const run = comparedRun();
+  for (const move of run.figures.compare.document.moves) delete move.time_s;
+  const { page, close } = await open(browser, pageOf('untimed', run));
+  assert.deepEqual((await curvesIn(page))[0], []);
+  assert.ok(await page.locator('#chart .ghost').count() > 0);
+  await close();
+});
+
+test('the other run is a dashed ghost in plan and time line', async () => {
+  const run = comparedRun(0.004);
   const { page, close } = await open(browser, pageOf('compared', run));
   for (const place of ['#plan .ghost', '#chart .ghost']) {
     assert.ok(await page.locator(place).count() > 0, place);

@@ -1,6 +1,5 @@
 // The page of --report: what stands in it without script.
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -115,9 +114,10 @@ nlohmann::json figures_in(const std::string& page) {
   return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
 }
 
-void expect_near(const nlohmann::json& point, const std::array<double, 3>& wanted) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(point.at(axis).get<double>(), wanted[axis], 1e-6) << point;
+void expect_near(const nlohmann::json& point, const nlohmann::json& wanted) {
+  ASSERT_EQ(point.size(), wanted.size());
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    EXPECT_NEAR(point[i].get<double>(), wanted[i].get<double>(), 1e-6) << point;
   }
 }
 
@@ -189,6 +189,46 @@ TEST_F(Report, HasTheBallThatTouched) {
   const auto turn = figures.at("ways").back().at("turns").at(1).get<std::vector<double>>();
   EXPECT_NEAR(turn.at(2), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(turn.at(3), std::sqrt(0.5), 1e-12);
+}
+
+// The block on its turned table again, beside itself: what the document tells of the machine is
+// brought to the part.
+TEST_F(Report, ComparesInTheFrameOfATurnedPart) {
+  const std::string sheet = folder_.write("table.toml", kTable);
+  const std::string program = folder_.write(
+      "turned.nc",
+      "O4\nG21 G90 G54\nG0 C90.\nG0 X0. Y-80.\nG1 Z95. F2000.\nG31 Y0. F300.\nG0 Y-80.\nM30\n");
+  const std::string other = folder_.path("other.json");
+  ASSERT_EQ(g31({"run", program, "-s", sheet, "--json", other, "--moves", "--touches", "--blocks"})
+                .exit_code,
+            0);
+  output_ = g31({"run", program, "-s", sheet, "--report", path(), "--compare", other});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  EXPECT_FALSE(has(output_.errors, "note")) << output_.errors;
+  const nlohmann::json figures = figures_in(text_in(path()));
+  const nlohmann::json touch = figures.at("compare").at("figures").at("touch").at(0);
+  expect_near(touch.at("contact"), {50.0, 0.0, -5.0});
+  expect_near(touch.at("normal"), {1.0, 0.0, 0.0});
+  expect_near(touch.at("ball"), figures.at("touch").at(0).at("ball"));
+  EXPECT_NEAR(touch.at("deviation").get<double>(), 0.0, 1e-6);
+  expect_near(figures.at("compare").at("figures").at("ways").back().at("points"),
+              figures.at("ways").back().at("points"));
+}
+
+TEST_F(Report, SaysWhereTheOtherRunTellsNoTimes) {
+  const std::string other = folder_.path("other.json");
+  page_of(kTouch, {"--json", other, "--moves", "--touches"});
+  const std::string timed = page_of(kTouch, {"--compare", other});
+  EXPECT_FALSE(has(timed, "tells no times"));
+  EXPECT_FALSE(has(output_.errors, "tells no times")) << output_.errors;
+  ASSERT_EQ(g31({"run", program_, "-s", folder_.path("ring.toml"), "--json", other, "--moves",
+                 "--touches"})
+                .exit_code,
+            0);
+  const std::string untimed = page_of(kTouch, {"--compare", other});
+  EXPECT_TRUE(has(untimed, "tells no times of its moves"));
+  EXPECT_TRUE(has(output_.errors, "g31: note: --compare " + other + " tells no times of its moves"))
+      << output_.errors;
 }
 
 TEST_F(Report, IsTheSameBytesTwice) {

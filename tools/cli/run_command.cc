@@ -369,6 +369,13 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
     return refuse(*wrong);
   }
   const auto line = checked(options, prepared.job);
+  if (line && line.value().other && !line.value().other->has_times) {
+    std::fputs(fmt::format("g31: note: --compare {} tells no times of its moves: the time line "
+                           "shows its touches alone; write it with --blocks, too\n",
+                           options.compare)
+                   .c_str(),
+               stderr);
+  }
   return line ? open_and_run(options, prepared, line.value(), remembering)
               : Result<ExitCode, Refusal>(line.error());
 }

@@ -57,7 +57,7 @@ void add_page_options(CLI::App& run, RunOptions& options) {
   add_report_options(run, options.report, options.language);
   run.add_option("--compare", options.compare,
                  "beside the run of the report another one, as its document (--json --moves "
-                 "--touches) tells it")
+                 "--touches, with times by --blocks) tells it")
       ->type_name("OTHER.json")
       ->check([](const std::string& path) { return path.empty() ? "it names no file" : ""; })
       ->needs("--report");

@@ -12,6 +12,7 @@ namespace g31::page {
 struct OtherRun {
   std::string figures;                      ///< JSON: the document and what pictures need of it
   std::map<std::string, double> variables;  ///< that the document tells
+  bool has_times = true;                    ///< of its moves, so that a time line shows them
 };
 
 /// @param document  text of a g31.run/1 with its moves and touches

@@ -55,6 +55,9 @@ std::vector<std::string> limits_of(const RunPage& run, const PictureMeshes& mesh
                             fmt::arg("triangles", run.parts[i].mesh_M->triangles.size())));
     }
   }
+  if (run.other != nullptr && !run.other->has_times) {
+    limits.emplace_back(text_of(Word::LimitOtherTimes, language));
+  }
   limits.emplace_back(text_of(Word::LimitNotSimulated, language));
   if (std::ranges::any_of(run.result.inputs, [](const report::InputFile& file) {
         return file.file.starts_with("<g31>/macros/sinumerik");

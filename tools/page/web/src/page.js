@@ -76,7 +76,8 @@ function followSize(choice) {
 function start(document_, figures) {
   const run = new Run(named(document_, figures), figures);
   const { compare } = figures;
-  const other = compare ? new Run(compare.document, compare.figures) : null;
+  // Both runs are shown in the frame of this one: what lies at one place in the machine lies at one on the page.
+  const other = compare ? new Run(compare.document, { ...compare.figures, frame: figures.frame, probe: figures.probe }) : null;
   const parts = partsOf(figures);
   const choice = new Choice(run);
   const listing = new Listing(choice);
@@ -86,7 +87,7 @@ function start(document_, figures) {
   const timeline = new Timeline(choice, other);
   const transport = new Transport(choice, (file, line) => listing.textOf(file, line));
   transport.show();
-  drawLegends(other != null, parts.some((part) => apexOf(part, run) != null));
+  drawLegends(other, parts.some((part) => apexOf(part, run) != null));
   linkEverything(choice, listing);
   linkTheme(() => choice.tell('theme'));
   followSize(choice);

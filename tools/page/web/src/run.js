@@ -34,6 +34,8 @@ export class Run {
     /** @type {Way[]} */
     this.ways = figures.ways ?? [];
     this.moves = timedMoves(document);
+    /** Whether its moves have times: without, a time line has no place for them. */
+    this.hasTimes = this.moves.length === (document.moves ?? []).length;
     this.contacts = contactsOf(document, figures);
     this.hits = this.contacts.filter((contact) => contact.hit);
     this.collision = document.collision ? { ...document.collision, ...figures.collision } : null;

@@ -166,7 +166,7 @@ export class Timeline {
     const ranges = /** @type {[number, number][]} */ (this.ranges);
     const x = (/** @type {number} */ time) => this.x(time);
     const own = curvesOf(this.choice.run, x);
-    const ghost = this.other ? curvesOf(this.other, x) : null;
+    const ghost = this.other?.hasTimes ? curvesOf(this.other, x) : null;
     return ['X', 'Y', 'Z'].map((name, axis) => {
       const top = y0 + axis * CURVE;
       const [low, high] = ranges[axis];

@@ -37,6 +37,7 @@ const ENGLISH = {
   broke_off: 'the move that was broken off',
   wall_off: 'centre of the wall is {distance} mm from the origin of {frame}',
   other_run: 'the other run',
+  other_run_untimed: 'the other run: touches alone, no times of its moves',
   scene_aria: 'Scene of parts, probe, ways and contacts. Arrow keys turn it, plus and minus zoom. '
     + 'All values are in the touch table.',
   view: 'View',
