@@ -232,6 +232,13 @@ function comparedRun(shift = 0) {
 const curvesIn = (page) => page.evaluate(() => ['.ghost[fill="none"]', 'path[stroke="var(--ink)"][stroke-linejoin="round"]'].map((curves) =>
   [...document.querySelectorAll(`#chart ${curves}`)].map((curve) => curve.getAttribute('d'))));
 
+test('a table too long to be written out tells contacts in the frame of the part, too', async () => {
+  const { page, close } = await open(browser, pageOf('long', sampleRun({ rounds: 90 })));
+  const cells = await page.locator('tr.sel td').allTextContents();
+  assert.deepEqual(cells.slice(10, 14), ['plate', '0.0000', '−6.0000', '7.0000']);
+  await close();
+});
+
 test('the same run beside itself lies on its own curves', async () => {
   const { page, close } = await open(browser, pageOf('beside', comparedRun()));
   const [ghosts, own] = await curvesIn(page);

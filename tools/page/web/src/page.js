@@ -81,7 +81,7 @@ function start(document_, figures) {
   const parts = partsOf(figures);
   const choice = new Choice(run);
   const listing = new Listing(choice);
-  const table = new TouchTable(choice);
+  const table = new TouchTable(choice, parts);
   const plan = new Plan(choice, parts, other);
   const scene = new Scene(choice, parts, other);
   const timeline = new Timeline(choice, other);

@@ -1,5 +1,6 @@
 // The table of touches: the chosen row, rows without a signal folded away, rows of a long run as they come in sight.
 import { byId, esc, num, um } from './markup.js';
+import { turnedBack } from './turn.js';
 import { VirtualRows } from './virtual_rows.js';
 import { word } from './words.js';
 
@@ -8,9 +9,10 @@ const IN_PRINT = 5000; // rows
 const STEEP = 30; // degrees between the move and the normal
 
 export class TouchTable {
-  /** @param {import('./choice').Choice} choice */
-  constructor(choice) {
+  /** @param {import('./choice').Choice} choice @param {import('./types').Part[]} parts */
+  constructor(choice, parts) {
     this.choice = choice;
+    this.parts = new Map(parts.map((part) => [part.name, part]));
     this.table = byId('touches');
     this.all = /** @type {HTMLInputElement | null} */ (byId('allt'));
     /** @type {VirtualRows | null} */
@@ -62,6 +64,12 @@ export class TouchTable {
     this.table.querySelector(`tr[data-touch="${touch}"]`)?.classList.add('sel');
   }
 
+  /** The place of contact in the frame of its part. @param {import('./types').Contact} contact */
+  onPart({ touch, place }) {
+    const part = this.parts.get(touch.part ?? '');
+    return part && place ? turnedBack(place.map((value, axis) => value - part.origin[axis]), part.turn) : null;
+  }
+
   /** @param {import('./types').Contact} contact */
   row(contact) {
     const { touch, number } = contact;
@@ -78,7 +86,7 @@ export class TouchTable {
       + `${number}</button></td><td><a href="#L-${place.replace(':', '-')}" data-go="${place}">${place}</a> `
       + `<span class="mut">${esc(touch.block)}</span></td><td class="n">${num(contact.time)}</td><td class="n">${num(touch.feed, 0)}</td>`
       + `${cells(commanded)}${cells(touch.triggered ? touch.work : null, 4)}<td>${esc(touch.part ?? '–')}</td>`
-      + `${cells(touch.contact, 4)}<td class="n"><b>${um(contact.deviation)}</b></td>`
+      + `${cells(this.onPart(contact), 4)}<td class="n"><b>${um(contact.deviation)}</b></td>`
       + `<td class="n${steep ? ' no' : ''}">${num(contact.angle, 1)}</td><td>${esc(contact.role)}</td></tr>`;
   }
 
