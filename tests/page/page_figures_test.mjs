@@ -2,9 +2,11 @@
 import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
 import { launch, open, pageOf } from './browser.mjs';
-import { BORE, sampleRun } from './sample_run.mjs';
-import { circleOf, cutsOf, outlinesOf, roundOf } from '../../tools/page/web/src/section.js';
+import { BORE, PIN, sampleRun } from './sample_run.mjs';
+import { planesOf } from '../../tools/page/web/src/plan_planes.js';
+import { PlanView } from '../../tools/page/web/src/plan_view.js';
 import { Run } from '../../tools/page/web/src/run.js';
+import { circleOf, cutsOf, outlinesOf, roundOf } from '../../tools/page/web/src/section.js';
 import { SolidEdges, cylinder } from '../../tools/page/web/src/solid_edges.js';
 import { between, fromZ, turned, turnedBack } from '../../tools/page/web/src/turn.js';
 
@@ -192,6 +194,24 @@ test('a tilted part is seen along its own axes', async () => {
   await page.click('tr[data-touch="24"] td:nth-child(3)'); // a part that is not tilted
   assert.match(await page.textContent('#planhead'), /plate, G54, section at Z/);
   await close();
+});
+
+test('a plan is as large as what was touched with, and not as what was touched is long', () => {
+  const { document, figures } = sampleRun();
+  for (const figure of figures.touch) figure.radius = 20;
+  const { name, origin, positions, triangles } = figures.parts[1];
+  const bytes = (text) => Uint8Array.from(Buffer.from(text, 'base64')).buffer;
+  const part = { name, origin, fixture: false, turn: [0, 0, 0, 1], positions: new Float32Array(bytes(positions)), triangles: new Uint32Array(bytes(triangles)) };
+  const [plane] = planesOf(part);
+  near(new PlanView(new Run(document, figures), part, plane).frame.half, 50, 1e-9);
+  // A beam along X that tools meet from above.
+  const beam = { ...part, fixture: true, positions: part.positions.map((value, n) => (n % 3 === 0 ? 20 * value : value)) };
+  for (const touch of document.touches) touch.normal = touch.normal && [0, 0, 1];
+  const view = new PlanView(new Run(document, figures), beam, plane);
+  near(view.bounds.high[0] - view.bounds.low[0], 1200, 1e-9);
+  near(view.frame.half, 50, 1e-9);
+  near(view.frame.u, PIN.u, 1e-9);
+  near(new PlanView(new Run(document, figures), { ...beam, fixture: false }, plane).frame.half, 660, 1e-9);
 });
 
 test('a collision with a turned part is where it stands', () => {

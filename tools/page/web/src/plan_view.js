@@ -10,6 +10,7 @@ import { circleOf, cutsOf, outlinesOf, roundOf } from './section.js';
 
 const MAGNIFICATIONS = [20, 50, 100, 200, 500, 1000, 2000, 5000];
 const IN_PLANE = 0.75; // of a normal's length; touches that look further out of the plane are not of it
+const TOUCHING = 2.5; // radii of what touched that the view spans to either side at least
 const AROUND = 1.83; // the view spans this much more than the contacts do
 const SEEN = 5e-5; // mm; what is less is shown as 0.0 um
 const FEW_DIRECTIONS = 0.2; // rad; touches closer together than that on a wall are one direction
@@ -32,11 +33,11 @@ export class PlanView {
     this.plane = plane;
     this.from = frameOf(part, run);
     this.bounds = boundsOf(part, plane);
-    const onPart = run.hits.filter(({ touch }) => touch.part === part.name);
-    this.contacts = onPart.filter(({ normal }) => !normal || Math.abs(height(normal, plane)) < IN_PLANE);
+    this.onPart = run.hits.filter(({ touch }) => touch.part === part.name);
+    this.contacts = this.onPart.filter(({ normal }) => !normal || Math.abs(height(normal, plane)) < IN_PLANE);
     const crash = run.collision;
     this.crash = crash && crash.contact && (crash.part === part.name || crash.part == null) ? crash : null;
-    const heights = (this.contacts.length ? this.contacts : onPart).map(({ place }) => height(place ?? [0, 0, 0], plane));
+    const heights = (this.contacts.length ? this.contacts : this.onPart).map(({ place }) => height(place ?? [0, 0, 0], plane));
     if (this.crash?.contact && !heights.length) heights.push(height(this.crash.contact, plane));
     const [bottom, top] = [this.bounds.low[2], this.bounds.high[2]];
     const wanted = heights.length ? median(heights) : (bottom + top) / 2;
@@ -111,7 +112,9 @@ export class PlanView {
   frameOf() {
     const { plane } = this;
     const { low, high } = this.bounds;
-    const points = this.contacts.map(({ place }) => flat(place ?? [], plane));
+    // What only stands there, a beam of half a metre, is seen where it was touched, from whichever side.
+    const shown = this.contacts.length || !this.part.fixture ? this.contacts : this.onPart;
+    const points = shown.map(({ place }) => flat(place ?? [], plane));
     if (this.crash?.contact) points.push(flat(this.crash.contact, plane));
     for (const { circle } of this.measured) {
       points.push([circle.u - circle.r, circle.v - circle.r], [circle.u + circle.r, circle.v + circle.r]);
@@ -129,7 +132,8 @@ export class PlanView {
     const vs = points.map((p) => p[1]);
     const span = Math.max(Math.max(...us) - Math.min(...us), Math.max(...vs) - Math.min(...vs)) / 2;
     const ball = this.run.figures.probe?.ball ?? 0;
-    const half = Math.max(span * (this.crash ? 1.35 : AROUND), 4 * ball, 0.4 * Math.min(whole, 50));
+    const largest = Math.max(0, ...shown.map(({ radius }) => radius)); // of tools, too
+    const half = Math.max(span * (this.crash ? 1.35 : AROUND), 4 * ball, TOUCHING * largest, 0.4 * Math.min(whole, 50));
     return { u: (Math.min(...us) + Math.max(...us)) / 2, v: (Math.min(...vs) + Math.max(...vs)) / 2, half };
   }
 
