@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import test, { after, before } from 'node:test';
-import { eventually, launch, open, packages, pageOf, pixelsOf } from './browser.mjs';
+import { eventually, fileOf, launch, open, packages, pageOf, pixelsOf, planOf, reportBy } from './browser.mjs';
 import { sampleRun } from './sample_run.mjs';
 
 const AXE = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
@@ -39,6 +39,38 @@ for (const width of [320, 350, 420, 1400]) {
       return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
     });
     assert.ok(small > 0.95, 'figures are redrawn, not shrunk');
+    await close();
+  });
+}
+
+/** A record of a circle of 50 mm, 5 um too large. */
+function circleRecord() {
+  const rows = Array.from({ length: 721 }, (_, n) => [n / 100, 50.005 * Math.cos(n * Math.PI / 360), 50.005 * Math.sin(n * Math.PI / 360)]);
+  return fileOf('circle.csv', ['t,X,Y', ...rows, ''].join('\n'));
+}
+
+const RING = 'parts/library/ring_gauge';
+const KINEMATICS = 'parts/library/kinematics_ball';
+for (const [name, file] of [
+  ['evaluate', () => reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0'])],
+  ['plan', () => planOf('narrow_plan', ['parts/library/inspection/product.step', '--stock', 'box'])],
+  ['run', () => reportBy('ring_results', ['run', `${RING}/measure_ring.nc`, '-s', `${RING}/ring.toml`, '--expect', '#164=40+-0.01'])],
+  ['run of many touches', () => reportBy('kinematics', ['run', `${KINEMATICS}/measure_kinematics.mpf`, '-s', `${KINEMATICS}/kinematics_ball.toml`])],
+]) {
+  test(`pages fit windows of a tablet: ${name}`, async (t) => {
+    const page_ = file();
+    if (page_ === null) return t.skip('this g31 writes no such page');
+    const { page, notes, close } = await open(browser, page_);
+    for (const width of [320, 420, 700, 820, 900, 1000, 1300]) {
+      await page.setViewportSize({ width, height: 900 });
+      await eventually(async () => assert.deepEqual(await page.evaluate(() => {
+        const { scrollWidth, clientWidth } = document.documentElement;
+        const spills = (/** @type {Element} */ e) => e.scrollWidth > e.clientWidth + 1;
+        return { beside: Math.max(0, scrollWidth - clientWidth), bar: [...document.querySelectorAll('.now')].filter(spills).length,
+          cells: [...document.querySelectorAll('#results td')].filter((cell) => cell.clientWidth > 0 && spills(cell)).map((cell) => cell.textContent) };
+      }), { beside: 0, bar: 0, cells: [] }, `${width} px`));
+    }
+    assert.deepEqual(notes, []);
     await close();
   });
 }

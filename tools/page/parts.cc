@@ -10,7 +10,7 @@ namespace {
 
 std::string drawing(const Drawing& drawing) {
   return fmt::format(
-      R"(<section class="card"><header><h2>{}</h2></header><div class="drawing">{}</div>{}</section>)",
+      R"(<section class="card"><header><h2>{0}</h2></header><div class="drawing" tabindex="0" role="region" aria-label="{0}">{1}</div>{2}</section>)",
       escaped(drawing.title), drawing.svg,
       drawing.caption.empty()
           ? std::string()

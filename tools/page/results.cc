@@ -198,7 +198,8 @@ std::string row_of(const Report& report, const Characteristic& row) {
                                                         ? std::optional(*row.measured - *row.other)
                                                         : std::nullopt));
   }
-  html += cell(Word::Touches, touches.empty() ? R"(<span class="mut">–</span>)" : touches, "");
+  html +=
+      cell(Word::Touches, touches.empty() ? R"(<span class="mut">–</span>)" : touches, "touched");
   return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
 }
 
