@@ -77,6 +77,18 @@ TEST(Drawing, EnlargesErrorsAlongTheRay) {
   EXPECT_NE(svg.find("prefers-color-scheme: dark"), std::string::npos);
 }
 
+TEST(Drawing, IsWideEnoughForWhatStandsBesideIt) {
+  plot::PathPlot chart;
+  chart.nominal_radius = [](double) { return 50.0; };
+  chart.traces = {{"path", {{50.0, 0.0}, {0.0, 50.01}}, {0.0, 0.01}, 0}};
+  chart.facts = {"centre_x 0.000000049 mm (u 9.1e-08)"};
+  EXPECT_NE(plot::draw(chart).find("width=\"900\""), std::string::npos);
+  // 48 letters of 12 pixels' height from x = 650 on.
+  chart.facts.emplace_back("reference_centre_x -0.00000000491 mm (u 9.1e-09)");
+  const std::string svg = plot::draw(chart);
+  EXPECT_GT(std::stod(svg.substr(svg.find("width=\"") + 7)), 650.0 + 48 * 6.4);
+}
+
 TEST(Drawing, OfNothingToSeeIsDrawnAllTheSame) {
   plot::CurvePlot empty;
   EXPECT_NE(plot::draw(empty).find("</svg>"), std::string::npos);

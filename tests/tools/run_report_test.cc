@@ -130,6 +130,16 @@ constexpr const char* kTable =
     "length = 40.0\nwidth = 40.0\nheight = 20.0\n"
     "at = [30.0, 0.0, 0.0]\n";
 
+TEST(ReportCharts, HaveRoomForTheirNumbers) {
+  const page::Readings readings{{-1234.500001, -1234.500002}, "mm", {}, {}, {}, {}};
+  const std::string chart = page::run_chart(readings, page::Language::English);
+  const std::string last = R"html( text-anchor="end" fill="var(--ink2)">−1234.5000)html";
+  const std::size_t end = chart.find(last);
+  ASSERT_NE(end, std::string::npos) << chart;
+  const std::size_t at = chart.rfind("<text x=\"", end) + 9;
+  EXPECT_GT(std::stod(chart.substr(at)), 13 * 6.9) << "thirteen letters stand before it";
+}
+
 // The table has turned the block's side x = 20 towards -Y; the ball meets it squarely and in time.
 TEST_F(Report, TellsTouchesInTheFrameOfATurnedPart) {
   const std::string sheet = folder_.write("table.toml", kTable);

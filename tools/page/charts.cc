@@ -53,6 +53,12 @@ std::string text(double x, double y, std::string_view anchor, std::string_view w
       x, y, anchor, colour, escaped(words));
 }
 
+/// Where a drawing begins that has numbers of so many letters before it.
+double left_of(std::size_t letters) {
+  constexpr double kLetter = 7.0;  // as wide as fonts have a digit
+  return std::max(kLeft, 10.0 + kLetter * static_cast<double>(letters));
+}
+
 std::string opened_svg(std::string_view label) {
   return fmt::format(
       R"(<svg class="fig" style="max-width:44rem" viewBox="0 0 {} {}" role="img" aria-label="{}">)",
@@ -100,24 +106,23 @@ std::string histogram(const Readings& readings, Language language) {
     return {};
   }
   const Span span(readings);
-  const auto x = [&](double value) {
-    return kLeft + span.share(value) * (kWidth - kLeft - kRight);
-  };
   const std::vector<std::size_t> counts = counted(readings, span);
+  const std::string most_shown = fmt::format("{}", std::ranges::max(counts));
+  const double left = left_of(most_shown.size());
+  const auto x = [&](double value) { return left + span.share(value) * (kWidth - left - kRight); };
   const double most = static_cast<double>(std::ranges::max(counts));
   const double floor = kHeight - kBottom;
-  const double step = (kWidth - kLeft - kRight) / static_cast<double>(counts.size());
+  const double step = (kWidth - left - kRight) / static_cast<double>(counts.size());
   std::string svg = opened_svg(labelled(readings, Word::LabelHistogram, span, language));
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double height = static_cast<double>(counts[i]) / most * (floor - kTop);
     svg += fmt::format(
         R"html(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="var(--mat3)"/>)html",
-        kLeft + static_cast<double>(i) * step + 0.5, floor - height, std::max(step - 1.0, 0.5),
+        left + static_cast<double>(i) * step + 0.5, floor - height, std::max(step - 1.0, 0.5),
         height);
   }
-  svg += mark(kLeft, floor, kWidth - kRight, floor, "--ink3", "");
-  svg += text(kLeft - 6.0, kTop + 8.0, "end", fmt::format("{:.0f}", most)) +
-         text(kLeft - 6.0, floor, "end", "0");
+  svg += mark(left, floor, kWidth - kRight, floor, "--ink3", "");
+  svg += text(left - 6.0, kTop + 8.0, "end", most_shown) + text(left - 6.0, floor, "end", "0");
   if (readings.known) {
     svg += mark(x(*readings.known), kTop, x(*readings.known), floor, "--accent", "");
   }
@@ -128,7 +133,7 @@ std::string histogram(const Readings& readings, Language language) {
     svg += mark(x(*readings.mean), kTop, x(*readings.mean), floor, "--ink", "2 2");
   }
   const int decimals = decimals_for(span);
-  svg += text(kLeft, kHeight - 10.0, "start", number(span.least, decimals)) +
+  svg += text(left, kHeight - 10.0, "start", number(span.least, decimals)) +
          text(kWidth - kRight, kHeight - 10.0, "end",
               fmt::format("{} {}", number(span.most, decimals), readings.unit));
   return svg + "</svg>";
@@ -139,12 +144,16 @@ std::string run_chart(const Readings& readings, Language language) {
     return {};
   }
   const Span span(readings);
+  const int decimals = decimals_for(span);
+  const std::string most_shown = number(span.most, decimals);
+  const std::string least_shown = number(span.least, decimals);
+  const double left = left_of(std::max(most_shown.size(), least_shown.size()));
   const auto y = [&](double value) {
     return kHeight - kBottom - span.share(value) * (kHeight - kBottom - kTop);
   };
   const double count = static_cast<double>(readings.values.size());
   const auto x = [&](std::size_t i) {
-    return kLeft + (static_cast<double>(i) + 0.5) / count * (kWidth - kLeft - kRight);
+    return left + (static_cast<double>(i) + 0.5) / count * (kWidth - left - kRight);
   };
   std::string svg = opened_svg(labelled(readings, Word::LabelRunChart, span, language));
   if (readings.mean && readings.deviation) {
@@ -152,14 +161,14 @@ std::string run_chart(const Readings& readings, Language language) {
     const double bottom = y(*readings.mean - 2.0 * *readings.deviation);
     svg += fmt::format(
         R"html(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="var(--mat)"/>)html",
-        kLeft, top, kWidth - kLeft - kRight, bottom - top);
-    svg += mark(kLeft, y(*readings.mean), kWidth - kRight, y(*readings.mean), "--ink", "2 2");
+        left, top, kWidth - left - kRight, bottom - top);
+    svg += mark(left, y(*readings.mean), kWidth - kRight, y(*readings.mean), "--ink", "2 2");
   }
   if (readings.known) {
-    svg += mark(kLeft, y(*readings.known), kWidth - kRight, y(*readings.known), "--accent", "");
+    svg += mark(left, y(*readings.known), kWidth - kRight, y(*readings.known), "--accent", "");
   }
   for (const double value : readings.published) {
-    svg += mark(kLeft, y(value), kWidth - kRight, y(value), "--warn", "5 3");
+    svg += mark(left, y(value), kWidth - kRight, y(value), "--warn", "5 3");
   }
   constexpr std::size_t kMostPlaces = 2000;
   const std::size_t stride = (readings.values.size() + kMostPlaces - 1) / kMostPlaces;
@@ -173,10 +182,9 @@ std::string run_chart(const Readings& readings, Language language) {
   svg += fmt::format(
       R"html(<path d="{}" stroke="var(--feed)" stroke-width="4" stroke-linecap="round"/>)html",
       dots);
-  const int decimals = decimals_for(span);
-  svg += text(kLeft - 6.0, kTop + 8.0, "end", number(span.most, decimals)) +
-         text(kLeft - 6.0, kHeight - kBottom, "end", number(span.least, decimals)) +
-         text(kLeft, kHeight - 10.0, "start", "1") +
+  svg += text(left - 6.0, kTop + 8.0, "end", most_shown) +
+         text(left - 6.0, kHeight - kBottom, "end", least_shown) +
+         text(left, kHeight - 10.0, "start", "1") +
          text(kWidth - kRight, kHeight - 10.0, "end", fmt::format("{:.0f}", count));
   return svg + "</svg>";
 }

@@ -20,4 +20,24 @@ void Legend::facts(std::span<const std::string> facts) {
   }
 }
 
+double width_of(std::string_view fact) {
+  constexpr double kLetter = 7.6;
+  constexpr double kSign = 5.0;
+  constexpr double kWide = 12.0;  // of Japanese
+  constexpr unsigned char kFirstOfThree = 0xE0;
+  double width = 0.0;
+  for (const char c : fact) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool goes_on = (byte & 0xC0U) == 0x80U;
+    if (!goes_on) {
+      const bool is_letter = (byte | 0x20U) >= 'a' && (byte | 0x20U) <= 'z';
+      const bool is_digit = byte >= '0' && byte <= '9';
+      width += byte >= kFirstOfThree                    ? kWide
+               : is_letter || is_digit || byte >= 0x80U ? kLetter
+                                                        : kSign;
+    }
+  }
+  return width;
+}
+
 }  // namespace g31::plot

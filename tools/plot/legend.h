@@ -29,4 +29,8 @@ class Legend {
   double row_;
 };
 
+/// Pixels that a fact of a legend takes at most: letters and digits are taken as wide as fonts have
+/// them.
+double width_of(std::string_view fact);
+
 }  // namespace g31::plot

@@ -206,7 +206,11 @@ std::string draw(const PathPlot& plot) {
 namespace {
 
 std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement) {
-  Svg svg(900.0, 660.0, plot.title, plot.language, plot.growth);
+  double width = 900.0;
+  for (const std::string& fact : plot.facts) {
+    width = std::max(width, kColumn + width_of(fact));
+  }
+  Svg svg(width, 660.0, plot.title, plot.language, plot.growth);
   const auto [is_exact, magnification, step] = enlargement;
   const auto detail = detail_of(plot);
   double half = 0.0;
