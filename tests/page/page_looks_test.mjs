@@ -75,6 +75,16 @@ for (const [name, file] of [
   });
 }
 
+test('an evaluation says nothing of a simulation: its rows may be those of a machine', async (t) => {
+  const file = reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0']);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, close } = await open(browser, file);
+  const text = await page.textContent('#inputs');
+  assert.doesNotMatch(text, /simulation/);
+  assert.match(text, /the rows of this file, wherever they come from/);
+  await close();
+});
+
 for (const [name, run] of [['plain', sampleRun()], ['crash', sampleRun({ crash: true })]]) {
   for (const theme of ['light', 'dark']) {
     for (const width of [500, 1400]) {

@@ -82,6 +82,7 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
   }
   report.tables.push_back(results_table(evaluation, origin.language));
   report.inputs = origin.inputs;
+  report.caution = Word::CarefulReadings;
   report.document = document;
   return report;
 }

@@ -111,7 +111,7 @@ std::string inputs_part(const Report& report) {
   for (const std::string& limit : report.limits) {
     html += fmt::format("<p>{}</p>", escaped(limit));
   }
-  return html + fmt::format("<p>{}</p></div></section>\n", say(Word::CarefulRun));
+  return html + fmt::format("<p>{}</p></div></section>\n", say(report.caution));
 }
 
 }  // namespace g31::page

@@ -175,6 +175,7 @@ struct Report {
   std::vector<Printout> printouts;
   std::vector<Input> inputs;
   std::vector<std::string> limits;  ///< what was not simulated
+  Word caution = Word::CarefulRun;  ///< the last word of the page
   std::string document;             ///< JSON of the command
   std::string figures;              ///< JSON of what only pictures need; "": none
   plot::Growth growth = {};         ///< told of the page as a long document goes into it
