@@ -130,6 +130,29 @@ constexpr const char* kTable =
     "length = 40.0\nwidth = 40.0\nheight = 20.0\n"
     "at = [30.0, 0.0, 0.0]\n";
 
+TEST_F(Report, ShowsAValueBeyondItsLimitBeyondIt) {
+  const std::string page = page_of("O8\n#500=10.00504\n#501=0.000004\nM30\n",
+                                   {"--expect", "#500=10+-0.005", "--print", "#501"});
+  EXPECT_EQ(output_.exit_code, 1);
+  EXPECT_TRUE(has(page, "the program measured 10.00504, allowed is 9.99500 to 10.00500."));
+  EXPECT_TRUE(has(page, "#500 is 0.000040 over its upper limit."));
+  EXPECT_TRUE(has(page, "101 %"));
+  EXPECT_TRUE(has(page, ">0.0000040</td>")) << "of #501";
+}
+
+TEST(ReportNumbers, OfSmallAmountsHaveTwoDigits) {
+  EXPECT_EQ(page::significant(4e-6, 4), "0.0000040");
+  EXPECT_EQ(page::significant(9.96e-5, 4), "0.00010");
+  EXPECT_EQ(page::significant(-4.2e-12, 4), "−4.2e−12");
+  EXPECT_EQ(page::significant(4.2e-12, 4, page::ShowSign::Always), "+4.2e−12");
+  EXPECT_EQ(page::significant(1.03173, 4), "1.0317");
+  EXPECT_EQ(page::significant(0.0, 4), "0.0000");
+  EXPECT_EQ(page::significant(std::nullopt, 4), "–");
+  EXPECT_EQ(page::decimals_apart(10.00504, 10.005, 4), 5);
+  EXPECT_EQ(page::decimals_apart(10.006, 10.005, 4), 4);
+  EXPECT_EQ(page::decimals_apart(10.005, 10.005, 4), 4);
+}
+
 TEST(ReportCharts, HaveRoomForTheirNumbers) {
   const page::Readings readings{{-1234.500001, -1234.500002}, "mm", {}, {}, {}, {}};
   const std::string chart = page::run_chart(readings, page::Language::English);

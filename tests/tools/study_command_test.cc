@@ -55,6 +55,14 @@ json document_of(const StudyOutput& output) {
   return json::parse(output.out);
 }
 
+TEST(Study, ATableShowsSmallNumbersByTheirDigits) {
+  const SmallStudy study("#101= 0.000004\n");
+  cli::StudyOptions options = study.options("repeats = 2", kSquare);
+  const std::string table = run_study(options).out;
+  EXPECT_NE(table.find("4.0e-06"), std::string::npos) << table;
+  EXPECT_NE(table.find("0.00000"), std::string::npos) << "the deviation: " << table;
+}
+
 TEST(Study, ThreadsMakeNoDifference) {
   cli::StudyOptions options;
   options.study = kRingStudy;

@@ -28,6 +28,18 @@ int decimals_in(double value) {
   return decimals;
 }
 
+/// The deviation that a value may have at most on the side where it is out.
+double limit_passed(const Characteristic& row) {
+  return excess_of(row) > 0.0 ? row.tolerance->upper : row.tolerance->lower;
+}
+
+/// Of differences of a row: one, and as many more as tell a deviation from the limit that it is
+/// beyond.
+int micrometre_decimals(const Characteristic& row) {
+  const double um = row.unit->mm * kUmPerMm;
+  return is_out(row) ? decimals_apart(*deviation_of(row) * um, limit_passed(row) * um, 1) : 1;
+}
+
 std::string_view sign_of(const expect::ResultUnit& unit) {
   return unit.name == "um" ? "µm" : unit.name == "none" ? "" : unit.name;
 }
@@ -53,7 +65,9 @@ int decimals_of(const Characteristic& row) {
   }
   const int most = std::max({decimals_in(*row.nominal), decimals_in(row.tolerance->lower),
                              decimals_in(row.tolerance->upper)});
-  return std::clamp(most + 1, 0, kMostDecimals);
+  const int usual = std::clamp(most + 1, 0, kMostDecimals);
+  return is_out(row) ? decimals_apart(*row.measured, *row.nominal + limit_passed(row), usual)
+                     : usual;
 }
 
 std::string_view unit_name(const Characteristic& row) {
@@ -65,7 +79,9 @@ std::string difference_text(const Characteristic& row, const std::optional<doubl
     return "–";
   }
   if (row.unit && row.unit->mm > 0.0) {
-    return micrometres(*difference * row.unit->mm) + " µm";
+    return number(*difference * row.unit->mm * kUmPerMm, micrometre_decimals(row),
+                  ShowSign::Always) +
+           " µm";
   }
   const std::string_view unit = unit_name(row);
   return number(difference, decimals_of(row), ShowSign::Always) +

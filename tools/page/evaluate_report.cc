@@ -23,8 +23,8 @@ Table results_table(const evaluate::Evaluation& evaluation, Language language) {
               {},
               {}};
   for (const evaluate::Quantity& quantity : evaluation.results) {
-    table.rows.push_back({quantity.name, number(quantity.value, kDecimals),
-                          number(quantity.u, kDecimals), unit_sign(quantity.unit)});
+    table.rows.push_back({quantity.name, significant(quantity.value, kDecimals),
+                          significant(quantity.u, kDecimals), unit_sign(quantity.unit)});
   }
   return table;
 }
@@ -66,7 +66,7 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
   if (!evaluation.results.empty()) {
     const evaluate::Quantity& first = evaluation.results.front();
     report.verdict.headline = said(origin.language, Word::SaysValue, fmt::arg("name", first.name),
-                                   fmt::arg("value", number(first.value, kDecimals)),
+                                   fmt::arg("value", significant(first.value, kDecimals)),
                                    fmt::arg("unit", unit_sign(first.unit)));
   }
   report.verdict.sentence =

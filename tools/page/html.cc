@@ -1,5 +1,7 @@
 #include "tools/page/html.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -50,8 +52,34 @@ std::string number(const std::optional<double>& value, int decimals, ShowSign si
   return shown + digits;
 }
 
+std::string significant(const std::optional<double>& value, int decimals, ShowSign sign) {
+  constexpr int kMostDecimals = 9;
+  if (!value || !std::isfinite(*value) || *value == 0.0) {
+    return number(value, decimals, sign);
+  }
+  std::string text = fmt::format("{:.1e}", std::abs(*value));
+  const std::size_t exponent = text.find('e') + 1;
+  int power = 0;
+  std::from_chars(text.data() + exponent + (text[exponent] == '+' ? 1 : 0),
+                  text.data() + text.size(), power);
+  if (1 - power <= kMostDecimals) {
+    return number(value, std::max(decimals, 1 - power), sign);
+  }
+  text = fmt::format("{}e−{}", text.substr(0, exponent - 1), -power);
+  return (*value < 0.0 ? "−" : sign == ShowSign::Always ? "+" : "") + text;
+}
+
+int decimals_apart(double value, double limit, int decimals) {
+  constexpr int kMostDecimals = 15;
+  for (int more = decimals; more <= kMostDecimals; ++more) {
+    if (number(value, more) != number(limit, more)) {
+      return more;
+    }
+  }
+  return decimals;
+}
+
 std::string micrometres(const std::optional<double>& value_mm) {
-  constexpr double kUmPerMm = 1000.0;
   return number(value_mm ? std::optional(*value_mm * kUmPerMm) : std::nullopt, 1, ShowSign::Always);
 }
 

@@ -18,6 +18,17 @@ enum class ShowSign : unsigned char { WhereNegative, Always };
 std::string number(const std::optional<double>& value, int decimals,
                    ShowSign sign = ShowSign::WhereNegative);
 
+/// The same with two significant digits at least, so that what is small is no 0; still smaller as
+/// "4.2e−12".
+std::string significant(const std::optional<double>& value, int decimals,
+                        ShowSign sign = ShowSign::WhereNegative);
+
+/// The fewest decimals, from some upwards, with which a value and its limit read differently; as
+/// they were where nothing tells them apart.
+int decimals_apart(double value, double limit, int decimals);
+
+inline constexpr double kUmPerMm = 1000.0;
+
 /// A length in mm as micrometres, one decimal, with its sign.
 std::string micrometres(const std::optional<double>& value_mm);
 

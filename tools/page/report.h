@@ -82,7 +82,8 @@ double excess_of(const Characteristic& row);
 /// Whether it is beyond one.
 bool is_out(const Characteristic& row);
 
-/// How a value of the row is written: one digit more than nominal and tolerance have.
+/// How a value of the row is written: one digit more than nominal and tolerance have, and as many
+/// more as tell one that is out from its limit.
 int decimals_of(const Characteristic& row);
 
 /// "mm"; "" where nobody says which.

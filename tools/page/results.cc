@@ -119,7 +119,11 @@ std::string share_text(const Characteristic& row) {
   }
   const double limit = *deviation > 0.0 ? row.tolerance->upper : -row.tolerance->lower;
   constexpr double kPercent = 100.0;
-  return limit > 0.0 ? fmt::format("{:.0f} %", std::abs(*deviation) / limit * kPercent) : "–";
+  if (limit <= 0.0) {
+    return "–";
+  }
+  const double share = std::abs(*deviation) / limit * kPercent;
+  return number(share, is_out(row) ? decimals_apart(share, kPercent, 0) : 0) + " %";
 }
 
 std::string verdict_text(const Report& report, const Characteristic& row) {
@@ -177,7 +181,9 @@ std::string row_of(const Report& report, const Characteristic& row) {
   const std::string_view unit = unit_name(row);
   html += cell(Word::Nominal, number(row.nominal, decimals));
   html += cell(Word::Tolerance, tolerance_text(row));
-  html += cell(Word::Measured, number(row.measured, decimals), "n big");
+  html += cell(Word::Measured,
+               row.tolerance ? number(row.measured, decimals) : significant(row.measured, decimals),
+               "n big");
   if (knows_true_sizes(report)) {
     html += cell(Word::TrueSize, number(row.true_size, decimals));
   }

@@ -43,14 +43,15 @@ std::string value_text(const Characteristic& row, const std::optional<double>& v
 
 /// How far it is beyond its limit, without a sign; so small an amount has more digits.
 std::string amount_text(const Characteristic& row) {
-  constexpr double kUmPerMm = 1000.0;
   constexpr double kSmallMm = 1e-4;
   const double far = std::abs(excess_of(row));
   if (row.unit && row.unit->mm > 0.0) {
     const double far_mm = far * row.unit->mm;
-    return number(far_mm * kUmPerMm, far_mm < kSmallMm ? 4 : 1) + " µm";
+    return significant(far_mm * kUmPerMm, far_mm < kSmallMm ? 4 : 1) + " µm";
   }
-  return value_text(row, far);
+  const std::string_view unit = unit_name(row);
+  return significant(far, decimals_of(row)) +
+         (unit.empty() ? std::string() : fmt::format(" {}", unit));
 }
 
 Verdict measured_out(const Case& of) {

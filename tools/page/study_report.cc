@@ -50,16 +50,17 @@ Table summary_table(const study::Record& record, Language language) {
       const study::Summary summary = study::summary_of(record, point, i);
       std::string published;
       for (const double value : form.published) {
-        published += (published.empty() ? "" : ", ") + number(value, kStudyDecimals);
+        published += (published.empty() ? "" : ", ") + significant(value, kStudyDecimals);
       }
-      table.rows.push_back(
-          {where.empty() ? form.name : fmt::format("{}, {}", form.name, where),
-           fmt::format("{}", summary.n), number(summary.mean, kStudyDecimals),
-           number(summary.standard_deviation, kStudyDecimals), number(summary.min, kStudyDecimals),
-           number(summary.max, kStudyDecimals),
-           number(summary.bias, kStudyDecimals, ShowSign::Always),
-           number(summary.expanded_uncertainty, kStudyDecimals),
-           number(form.expected, kStudyDecimals), published.empty() ? "–" : published, form.unit});
+      table.rows.push_back({where.empty() ? form.name : fmt::format("{}, {}", form.name, where),
+                            fmt::format("{}", summary.n), significant(summary.mean, kStudyDecimals),
+                            significant(summary.standard_deviation, kStudyDecimals),
+                            significant(summary.min, kStudyDecimals),
+                            significant(summary.max, kStudyDecimals),
+                            significant(summary.bias, kStudyDecimals, ShowSign::Always),
+                            significant(summary.expanded_uncertainty, kStudyDecimals),
+                            significant(form.expected, kStudyDecimals),
+                            published.empty() ? "–" : published, form.unit});
     }
   }
   return table;
@@ -113,11 +114,11 @@ Report report_of(const study::Record& record, const std::string& document,
   if (!study.results.empty()) {
     const study::Summary summary = study::summary_of(record, 0, 0);
     const study::ResultForm& form = study.results.front();
-    report.verdict.sentence =
-        said(origin.language, Word::SaysMean, fmt::arg("name", form.name),
-             fmt::arg("mean", number(summary.mean, kStudyDecimals)), fmt::arg("unit", form.unit),
-             fmt::arg("deviation", number(summary.standard_deviation, kStudyDecimals)),
-             fmt::arg("readings", summary.n));
+    report.verdict.sentence = said(
+        origin.language, Word::SaysMean, fmt::arg("name", form.name),
+        fmt::arg("mean", significant(summary.mean, kStudyDecimals)), fmt::arg("unit", form.unit),
+        fmt::arg("deviation", significant(summary.standard_deviation, kStudyDecimals)),
+        fmt::arg("readings", summary.n));
   }
   for (const auto& [status, count] : statuses) {
     if (status != "completed") {

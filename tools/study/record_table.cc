@@ -41,7 +41,8 @@ class TextTable {
   std::vector<std::vector<std::string>> lines_;
 };
 
-/// mm to 0.01 um, other units alike.
+/// mm to 0.01 um, other units alike; what is less by its first digits, and what is no more than
+/// rounding as 0.
 std::string shown(const std::optional<double>& number) {
   if (!number) {
     return "-";
@@ -50,9 +51,13 @@ std::string shown(const std::optional<double>& number) {
   if (std::abs(*number) >= kLongest) {
     return fmt::format("{:.5e}", *number);
   }
-  // -0.00000 is 0.
+  constexpr double kRounding = 1e-9;
   const std::string text = fmt::format("{:.5f}", *number);
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.5f}", 0.0) : text;
+  if (text.find_first_not_of("-0.") != std::string::npos) {
+    return text;
+  }
+  return std::abs(*number) < kRounding ? fmt::format("{:.5f}", 0.0)
+                                       : fmt::format("{:.1e}", *number);
 }
 
 std::string shown_difference(const std::optional<double>& a, const std::optional<double>& b) {
