@@ -1,8 +1,11 @@
 #include "interpreter/analysis/fanuc_points.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
 
 namespace g31::analysis {
 namespace {
@@ -10,54 +13,137 @@ namespace {
 using fanuc::EvaluatedWord;
 using fanuc::GAction;
 
+constexpr std::string_view kLengths = "IJKRUVWXYZ";
+
 bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
 }
 
+/// What a whole number counts: so many to a unit, metric and under G20, and below how many units it
+/// is hardly meant.
+struct Counts {
+  double per_unit;
+  double per_inch_unit;
+  double least = 1.0;
+};
+
+std::optional<Counts> counts_of_feed(const fanuc::Profile& profile, const PointReading& reading) {
+  constexpr fanuc::FeedCounts kFine = {1000.0, 100'000.0};
+  constexpr double kSlowest = 10.0;
+  const fanuc::FeedCounts& counts = reading.has_fine_feed ? kFine : profile.feed_counts;
+  return counts.per_mm > 1.0 ? std::optional(Counts{counts.per_mm, counts.per_inch, kSlowest})
+                             : std::nullopt;
+}
+
+class Reader {
+ public:
+  Reader(const PointedBlock& block, const fanuc::Profile& profile, const PointReading& reading)
+      : block_(block),
+        action_(block.acting != nullptr ? block.acting->action : GAction::Motion),
+        profile_(profile),
+        reading_(reading) {}
+
+  /// nullopt: the letter's whole numbers are what they are.
+  [[nodiscard]] std::optional<Counts> counts(char letter) const {
+    const bool is_feed = letter == 'F' || (letter == 'E' && block_.calls);
+    if (is_feed) {
+      return counts_of_feed(profile_, reading_);
+    }
+    const fanuc::WordScale& scale = reading_.scale;
+    const Counts length{scale.counts_per_mm, scale.counts_per_inch};
+    const Counts angle{scale.counts_per_degree, scale.counts_per_degree};
+    if (block_.calls) {
+      return is_in(fanuc::kIncrementArguments, letter) ? std::optional(length) : std::nullopt;
+    }
+    if (is_in("ABC", letter)) {
+      return takes_lengths() ? std::optional(angle) : std::nullopt;
+    }
+    if (action_ == GAction::Dwell) {
+      return is_in("UX", letter) ? std::optional(Counts{1000.0, 1000.0, 0.1}) : std::nullopt;
+    }
+    if (letter == 'R' && action_ == GAction::Rotation) {
+      return angle;
+    }
+    if (letter == 'Q' && block_.drills) {
+      constexpr double kLeastPeck = 0.1;  // without a point by custom
+      return Counts{scale.counts_per_mm, scale.counts_per_inch, kLeastPeck};
+    }
+    const bool is_corner = letter == syntax::kChamferWord || letter == syntax::kRoundingWord;
+    const bool is_length = is_corner || is_in(kLengths, letter);
+    // In a cycle I, J and K are counts and multiples, too.
+    const bool is_of_cycle = block_.drills && is_in("IJK", letter);
+    const bool is_of_data = action_ == GAction::SetData && is_in("IJK", letter);
+    return is_length && takes_lengths() && !is_of_cycle && !is_of_data ? std::optional(length)
+                                                                       : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] bool takes_lengths() const {
+    return action_ != GAction::Scaling && action_ != GAction::TiltedPlane &&
+           action_ != GAction::Unsimulated && action_ != GAction::Refused &&
+           action_ != GAction::Dwell;
+  }
+
+  const PointedBlock& block_;
+  GAction action_;
+  const fanuc::Profile& profile_;
+  const PointReading& reading_;
+};
+
+bool has_inches(const fanuc::Profile& profile) {
+  const fanuc::GCode* const inches = fanuc::find_g_code(20.0);
+  return inches != nullptr && fanuc::has_g_code(profile, *inches);
+}
+
 /// "0.01 (under G20 0.001)"
-std::string reading_of(const EvaluatedWord& word, const fanuc::Profile& profile,
-                       const fanuc::WordScale& scale) {
-  const bool is_feed = word.letter == 'F';
-  const double by_mm = is_feed ? profile.feed_counts.per_mm : scale.counts_per_mm;
-  const double by_inch = is_feed ? profile.feed_counts.per_inch : scale.counts_per_inch;
-  return is_in("ABC", word.letter)
-             ? fmt::format("{}", word.number / scale.counts_per_degree)
-             : fmt::format("{} (under G20 {})", word.number / by_mm, word.number / by_inch);
+std::string reading_of(double number, const Counts& counts, const fanuc::Profile& profile) {
+  const double value = number / counts.per_unit;
+  const double in_inches = number / counts.per_inch_unit;
+  return value == in_inches || !has_inches(profile)
+             ? fmt::format("{}", value)
+             : fmt::format("{} (under G20 {})", value, in_inches);
 }
 
 }  // namespace
 
-std::string_view letters_with_point(const fanuc::GCode* acting, bool drills) {
-  const GAction action = acting != nullptr ? acting->action : GAction::Motion;
-  if (action == GAction::SetData || action == GAction::Scaling || action == GAction::TiltedPlane ||
-      action == GAction::Unsimulated || action == GAction::Refused || action == GAction::Dwell) {
-    return "F";
-  }
-  return drills ? "ABCFIJRUVWXYZ" : "ABCFIJKRUVWXYZ";
-}
-
-std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, std::string_view letters,
+std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, const PointedBlock& block,
                                    const fanuc::Profile& profile, const PointReading& reading) {
-  constexpr double kFewest = 1000.0;  // 1 mm of IS-B
-  constexpr double kSlowest = 10'000.0;
   std::vector<LostPoint> found;
+  if (!reading.counts_increments) {
+    return found;
+  }
+  const Reader reader(block, profile, reading);
   for (const EvaluatedWord& word : words.all()) {
-    const bool is_feed = word.letter == 'F';
-    const bool is_small = std::abs(word.number) < (is_feed ? kSlowest : kFewest);
-    const bool counts = reading.counts_increments && (!is_feed || profile.feed_counts.per_mm > 1.0);
-    if (word.form == syntax::ValueForm::Integer && word.number != 0.0 && is_small && counts &&
-        is_in(letters, word.letter)) {
-      const std::string written = fmt::format("{}{}", word.letter, word.number);
+    const auto counts = word.form == syntax::ValueForm::Integer && word.number != 0.0
+                            ? reader.counts(word.letter)
+                            : std::nullopt;
+    if (counts && std::abs(word.number) / counts->per_unit < counts->least) {
+      const std::string written =
+          fmt::format("{}{}", syntax::letter_text(word.letter), word.number);
       found.push_back(
           {word.span,
            fmt::format("{} without a decimal point is {}", written,
-                       reading_of(word, profile, reading.scale)),
+                       reading_of(word.number, *counts, profile)),
            fmt::format("write {}. where that is meant; where the machine reads it so, its sheet "
-                       "says it: [control.parameters] \"3401.0\" = 1",
+                       "says it: [parameters] \"3401.0\" = 1",
                        written)});
     }
   }
   return found;
+}
+
+bool is_in_increments(const syntax::Tree& tree, const PointReading& reading) {
+  bool has_long_ones = false;
+  for (const syntax::Word& word : tree.words) {
+    if (is_in(kLengths, word.letter)) {
+      if (word.form == syntax::ValueForm::Decimal) {
+        return false;
+      }
+      has_long_ones |= word.form == syntax::ValueForm::Integer &&
+                       std::abs(word.number) >= reading.scale.counts_per_mm;
+    }
+  }
+  return has_long_ones;
 }
 
 }  // namespace g31::analysis

@@ -7,13 +7,22 @@
 #include "interpreter/dialects/fanuc/text/word_values.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/syntax/tree.h"
 
 namespace g31::analysis {
 
 /// How a sheet has a control read numbers without a decimal point.
 struct PointReading {
   bool counts_increments = true;  ///< parameter 3401.0 is off
+  bool has_fine_feed = false;     ///< parameter 1403.0 is on
   fanuc::WordScale scale;
+};
+
+/// What the words of a block are read by.
+struct PointedBlock {
+  const fanuc::GCode* acting = nullptr;  ///< takes the words for itself; nullptr: none
+  bool drills = false;                   ///< in a canned cycle
+  bool calls = false;                    ///< they are arguments of G65 or G66
 };
 
 /// A number that most likely has lost its decimal point.
@@ -23,16 +32,14 @@ struct LostPoint {
   std::string remedy;
 };
 
-/// Letters of a block whose whole numbers count least increments.
-/// @param acting  the code that takes the words of the block for itself; nullptr: none
-/// @param drills  K of the block counts holes
-std::string_view letters_with_point(const fanuc::GCode* acting, bool drills);
-
-/// Whole numbers that come to less than a millimetre, a degree or 10 mm/min, for the control counts
-/// least increments where there is no decimal point: `X10` is 0.01 mm.  Whoever writes in
+/// Whole numbers that come to less than a millimetre, a degree, 0.1 s or 10 mm/min, for the control
+/// counts least increments where there is no decimal point: `X10` is 0.01 mm.  Whoever writes in
 /// increments on purpose seldom writes so small ones.
-/// @param letters  of letters_with_point(), or of arguments
-std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, std::string_view letters,
+std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, const PointedBlock& block,
                                    const fanuc::Profile& profile, const PointReading& reading);
+
+/// Whether a program is written in least increments throughout: none of its lengths has a decimal
+/// point, and some are a millimetre and more.
+bool is_in_increments(const syntax::Tree& tree, const PointReading& reading);
 
 }  // namespace g31::analysis

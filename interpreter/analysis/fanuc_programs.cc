@@ -120,8 +120,12 @@ std::set<int> called_codes(const runtime::ControlSetup& setup) {
 /// What a sheet says of numbers without a decimal point.
 PointReading points_of(const runtime::ControlSetup& setup) {
   PointReading points;
-  const auto given = setup.parameters.find("3401.0");
-  points.counts_increments = given == setup.parameters.end() || given->second == 0.0;
+  const auto is_on = [&](const char* name) {
+    const auto given = setup.parameters.find(name);
+    return given != setup.parameters.end() && given->second != 0.0;
+  };
+  points.counts_increments = !is_on("3401.0");
+  points.has_fine_feed = is_on("1403.0");
   points.scale.set_increment_system(setup.increment);
   return points;
 }

@@ -28,8 +28,9 @@ struct CodesOfBlock {
   const GCode* work_offset = nullptr;
   const GCode* tool_length = nullptr;
   const GCode* compensation = nullptr;
-  bool drills = false;   ///< in a canned cycle
-  bool is_open = false;  ///< what they do says the sheet, or the state before
+  bool drills = false;    ///< in a canned cycle
+  bool has_mode = false;  ///< a code like G05.1 takes words of its own
+  bool is_open = false;   ///< what they do says the sheet, or the state before
 };
 
 bool has_code(const fanuc::Profile& profile, const GCode* code) {
@@ -54,6 +55,7 @@ void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Prof
   if (!is_known) {
     return;
   }
+  codes.has_mode |= fanuc::leaves_words(code->action) && code->action != GAction::ExactStop;
   const bool is_one_shot =
       code->group == fanuc::Group::OneShot && !fanuc::leaves_words(code->action);
   if (is_one_shot || fanuc::is_frame(code->action)) {
@@ -159,11 +161,12 @@ WrongWord JudgedBlock::judge() const {
 
 std::vector<LostPoint> JudgedBlock::lost_points() const {
   const Use use = this->use();
-  const std::string_view letters = use == Use::Block
-                                       ? letters_with_point(codes_.acting, codes_.drills)
-                                   : use == Use::MacroCall ? fanuc::kIncrementArguments
-                                                           : std::string_view();
-  return analysis::lost_points(words_.words(), letters, profile_, reading_.points);
+  const bool is_read = use == Use::Block || use == Use::MacroCall;
+  return is_read && !codes_.has_mode
+             ? analysis::lost_points(words_.words(),
+                                     {codes_.acting, codes_.drills, use == Use::MacroCall},
+                                     profile_, reading_.points)
+             : std::vector<LostPoint>();
 }
 
 /// G65, G66, M98, M99.
@@ -282,7 +285,10 @@ bool begins_data(Words words) {
 
 FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
                        const WordReading& reading)
-    : program_(program), profile_(profile), reading_(reading) {}
+    : program_(program),
+      profile_(profile),
+      reading_(reading),
+      is_in_increments_(is_in_increments(*program.tree, reading.points)) {}
 
 bool lets_every_block_call(const fanuc::CompiledProgram& program) {
   return std::ranges::any_of(program.tree->words,
@@ -300,7 +306,7 @@ WordFindings FanucWords::judge(const syntax::Block& block) {
     return {};
   }
   const JudgedBlock judged(words, block.span, profile_, reading_);
-  return {judged.judge(), judged.lost_points()};
+  return {judged.judge(), is_in_increments_ ? std::vector<LostPoint>() : judged.lost_points()};
 }
 
 }  // namespace g31::analysis

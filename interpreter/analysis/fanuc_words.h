@@ -39,6 +39,7 @@ class FanucWords {
   const fanuc::CompiledProgram& program_;
   const fanuc::Profile& profile_;
   const WordReading& reading_;
+  bool is_in_increments_;
   bool takes_data_ = false;  ///< from G10 L3 or L50 to G11
 };
 

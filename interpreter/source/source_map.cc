@@ -11,9 +11,6 @@
 namespace g31::source {
 namespace {
 
-/// Of the first line no part, as editors have it.
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 std::size_t hash_of(std::string_view text) {
   return std::hash<std::string_view>()(text);
 }

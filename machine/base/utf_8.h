@@ -6,6 +6,9 @@
 
 namespace g31 {
 
+/// What some editors begin a file with; no part of its text.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// What a text of UTF-8 begins with.
 struct Utf8Piece {
   std::size_t length;  ///< bytes, at least 1

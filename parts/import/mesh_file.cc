@@ -46,7 +46,7 @@ std::optional<std::string> why_unreadable(const std::string& path) {
   std::error_code error;
   const auto kind = std::filesystem::status(path, error).type();
   if (kind == std::filesystem::file_type::not_found) {
-    return "there is no such file; a path is relative to the set-up sheet";
+    return "there is no such file; in a set-up sheet a path is relative to the sheet";
   }
   if (kind == std::filesystem::file_type::directory) {
     return "this is a folder; name an STL, OBJ, PLY, OFF, 3MF or STEP file in it";

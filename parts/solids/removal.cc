@@ -23,6 +23,9 @@ Result<SolidSource, std::string> source_of(const std::string& path, const GoesOn
   if (!std::filesystem::exists(path, unknown)) {
     return path + ": there is no such file";
   }
+  if (std::filesystem::is_directory(path, unknown)) {
+    return path + ": this is a folder; name a STEP file or a mesh in it";
+  }
   if (!std::filesystem::is_regular_file(path, unknown)) {
     return fmt::format("{}: {}", path, kNoRegularFile);
   }

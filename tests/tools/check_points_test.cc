@@ -31,9 +31,10 @@ const char* const kProgram =
     "O2\nM99\n";
 
 /// "line:column: message" of each finding of NC012.
-std::vector<std::string> told(const std::string& sheet, const std::string& control) {
+std::vector<std::string> told_in(const std::string& program, const std::string& sheet,
+                                 const std::string& control) {
   const TemporaryFolder folder;
-  const auto output = testing::g31({"check", folder.write("case.nc", kProgram), "--setup",
+  const auto output = testing::g31({"check", folder.write("case.nc", program), "--setup",
                                     folder.write("sheet.toml", sheet), "--control", control});
   static const std::regex kForm(R"(case\.nc:(.*): warning: (.*) \[NC012\])");
   std::vector<std::string> found;
@@ -43,12 +44,22 @@ std::vector<std::string> told(const std::string& sheet, const std::string& contr
   return found;
 }
 
+std::vector<std::string> told(const std::string& sheet, const std::string& control) {
+  return told_in(kProgram, sheet, control);
+}
+
+/// The same of blocks from the second line on.
+std::vector<std::string> told_of(const std::string& blocks, const std::string& sheet) {
+  return told_in("O1\n" + blocks + "\nM30\n", sheet, "fanuc-16i");
+}
+
 const std::vector<std::string> kExpected = {
     "2:12: X10 without a decimal point is 0.01 (under G20 0.001)",
     "3:5: Z-999 without a decimal point is -0.999 (under G20 -0.0999)",
     "4:8: Z10 without a decimal point is 0.01 (under G20 0.001)",
     "4:15: A3 without a decimal point is 0.003",
-    "6:11: R45 without a decimal point is 0.045 (under G20 0.0045)",
+    "6:11: R45 without a decimal point is 0.045",
+    "7:10: X5 without a decimal point is 0.005 (under G20 0.0005)",
     "10:5: A90 without a decimal point is 0.09",
     "11:9: I5 without a decimal point is 0.005 (under G20 0.0005)",
 };
@@ -65,13 +76,45 @@ TEST(CheckPoints, OfAFeedAreLostOnAHaas) {
 }
 
 TEST(CheckPoints, AreNotMissedWhereTheSheetReadsWholeMillimetres) {
-  EXPECT_EQ(told("[control.parameters]\n\"3401.0\" = 1\n", "haas"), std::vector<std::string>());
+  EXPECT_EQ(told("[parameters]\n\"3401.0\" = 1\n", "haas"), std::vector<std::string>());
 }
 
 TEST(CheckPoints, CountTheIncrementsOfTheSheet) {
   const auto finer = told("[control]\nincrement = \"IS-C\"\n", "fanuc-16i");
-  ASSERT_EQ(finer.size(), kExpected.size());
+  ASSERT_EQ(finer.size(), kExpected.size() + 1);
   EXPECT_EQ(finer[0], "2:12: X10 without a decimal point is 0.001 (under G20 0.0001)");
+  EXPECT_EQ(finer[7], "10:9: X1000 without a decimal point is 0.1 (under G20 0.01)");
+  EXPECT_EQ(told_of("G1 X9 Y10.", "[control]\nincrement = \"IS-A\"\n"),
+            std::vector<std::string>{"2:4: X9 without a decimal point is 0.09 (under G20 0.009)"});
+  EXPECT_TRUE(told_of("G1 X100 A500 Y10.", "[control]\nincrement = \"IS-A\"\n").empty());
+}
+
+TEST(CheckPoints, AreOfLengthsAnglesTimesAndFeedsAlone) {
+  struct Row {
+    const char* block;
+    std::vector<std::string> said;
+  };
+  const std::string without = " without a decimal point is ";
+  for (const Row& row : std::vector<Row>{
+           {"G10 L12 P1 R5", {"2:12: R5" + without + "0.005 (under G20 0.0005)"}},
+           {"G83 Z-5. R1. Q2 K2 F100.", {"2:15: Q2" + without + "0.002 (under G20 0.0002)"}},
+           {"G1 X10. ,R5", {"2:9: ,R5" + without + "0.005 (under G20 0.0005)"}},
+           {"G4 X5", {"2:4: X5" + without + "0.005"}},
+           {"G4 X500", {}},
+           {"G5.1 Q1 R5", {}},
+           {"G84 X1. Z-2. R1. F100. J2", {}},
+           {"G81 Z-2. R1. F100. K3", {}},
+           {"G54.1 P5 H3 D2 S500 T4 M6", {}},
+           {"G31 P1 X5. L2", {}}}) {
+    EXPECT_EQ(told_of(row.block + std::string("\nY10."), ""), row.said) << row.block;
+  }
+  EXPECT_EQ(told_of("G1 F100 Y10.", "[parameters]\n\"1403.0\" = 1\n"),
+            std::vector<std::string>{"2:4: F100" + without + "0.1 (under G20 0.001)"});
+}
+
+TEST(CheckPoints, AreNotMissedInAProgramOfIncrements) {
+  EXPECT_TRUE(told_of("G0 X10000 Y20000\nG1 Z-2500 F100\nX10500 Y500\nY-250", "").empty());
+  EXPECT_EQ(told_of("G0 X10000 Y20000\nG1 Z-2500 F100\nX10500 Y500\nY-2.50", "").size(), 1U);
 }
 
 TEST(CheckPoints, AreReadByARunAsTheyAreTold) {

@@ -161,6 +161,29 @@ class Manners(unittest.TestCase):
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertIn("T\ufffd.nc", (self.folder / words[-1]).read_text(encoding="utf-8"))
 
+    def test_a_byte_order_mark_is_no_part_of_the_first_line(self):
+        for name, text, words, place in (
+            ("b.mpf", "G1 Y=[1+\nM30\n", ("check", "b.mpf"), "b.mpf:1:6: error"),
+            ("c.arc", "%_N_C_MPF\nG1 Y=[1+\nM30\n", ("check", "c.arc"), "c.arc:2:6: error"),
+            ("b.nc", "G1 Y[1+\nM30\n", ("check", "b.nc"), "b.nc:1:8: error"),
+            ("b.csv", "time,X\n1,2\n", ("evaluate", "circle", "b.csv", "--radius", "5"), "b.csv:1:1: error")):
+            (self.folder / name).write_text(text, encoding="utf-8-sig")
+            run = self.g31(*words)
+            self.assertIn(place, run.stdout + run.stderr)
+            self.assertNotIn("\ufeff", run.stdout + run.stderr)
+
+    def test_a_character_that_cannot_stand_is_shown_whole(self):
+        (self.folder / "a.mpf").write_text("G1 X5 Ż\nM30\n", encoding="utf-8")
+        self.assertIn("syntax error in text: Ż", self.g31("check", "a.mpf").stdout)
+
+    def test_messages_have_their_letters_whatever_the_file_is_written_in(self):
+        for coding, text in (("latin-1", "PRÜFEN"), ("shift_jis", "測定"), ("utf-8", "ŚREDNICA")):
+            (self.folder / "a.nc").write_text(f"O1\n#3006=1({text})\n#3000=3({text})\nM30\n", encoding=coding)
+            run = self.g31("run", "a.nc", "--json", "-")
+            document = json.loads(run.stdout)
+            self.assertEqual((document["stops"][0]["text"], document["alarm"]["text"]), (text, text))
+            self.assertIn(f"#3006: {text}", run.stderr)
+
     def test_half_a_new_folder_does_not_stay(self):
         (self.folder / "astray/sub").mkdir(parents=True)
         (self.folder / "astray/.github").symlink_to("nowhere")
@@ -237,6 +260,8 @@ class Manners(unittest.TestCase):
             (("scene", "p.nc"), "scene", 2),
             (("plan", "none.step", "--stock", "box", "-o", "out"), "plan", 2),
             (("plan", "none.step", "--stock", "box"), "plan", 2),
+            (("plan", "none.step", "--stock", "box", "-o", "p.nc"), "plan", 2),
+            (("plan", ".", "--stock", "box", "-o", "out"), "plan", 2),
             (("run", "p.nc", "--seed", "x"), "run", 2)):
             for places in (("--json", "out.json"), ("--json=out.json",)):
                 run = self.g31(*words, *places)
@@ -247,6 +272,13 @@ class Manners(unittest.TestCase):
                 self.assertNotEqual(document["diagnostics"][0]["message"], "", words)
                 (self.folder / "out.json").unlink()
         self.assertFalse((self.folder / "out").exists())
+
+    def test_a_picture_that_is_refused_is_no_document(self):
+        (self.folder / "p.nc").write_text(RUNS)
+        run = self.g31("scene", "p.nc", "-o", "s.svg", "--json", "s.svg")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("-o and --json cannot both be s.svg", run.stderr)
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["p.nc"])
 
     def test_refused_words_take_no_place_of_what_they_name(self):
         text = '{"schema": "g31.plan/1", "measures": [{"id": "D", "nominal": 1}]}'
@@ -295,7 +327,7 @@ class Manners(unittest.TestCase):
         self.assertEqual(shlex.split(again), ["run", "my part/a b/measure.nc", "--setup", "my part/a b/setup.toml"])
 
     def test_a_plan_of_a_file_of_any_name_runs(self):
-        name = 'a"\\\nM30\tü.step'
+        name = 'a"\\\nM30\t%ü.step'
         (self.folder / name).write_bytes(PRODUCT.read_bytes())
         plan = self.g31("plan", name, "--stock", "box", "-o", "plan", "-q")
         if "without Open CASCADE" in plan.stderr:
@@ -304,6 +336,12 @@ class Manners(unittest.TestCase):
         self.assertIn("proven on", plan.stdout)
         run = self.g31("run", "plan/inspect.nc", "-s", "plan/setup.toml", "-q")
         self.assertEqual(run.returncode, 0, run.stderr)
+        latin_1 = os.fsencode(self.folder) + b"/\xfc.step"
+        with open(latin_1, "wb") as file:
+            file.write(PRODUCT.read_bytes())
+        plan = self.g31("plan", os.fsdecode(latin_1), "--stock", "box", "-o", "other")
+        self.assertEqual(plan.returncode, 2)
+        self.assertIn(".step: the name is no UTF-8", plan.stderr)
 
     def test_a_plan_that_is_ended_leaves_nothing_behind(self):
         for ending in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):

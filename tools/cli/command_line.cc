@@ -190,8 +190,9 @@ void tell_refused_words(const std::vector<Command>& commands, const Options& opt
   if (asked == commands.end() || asked->schema.empty() || json.empty()) {
     return;
   }
-  if (const auto wrong = wrong_place({{"--json", json}}, {others})) {
-    refuse(*wrong);
+  if (wrong_place({{"--json", json}}, {others})) {
+    refuse(session::bad_input(fmt::format(
+        "--json {}: another word of the command names that, too, so nothing is written", json)));
   } else if (asked->words->get_name() == "run") {
     tell_usage_error(options.run, json, why);
   } else if (const auto unwritten = write_refusal(session::bad_input(why), json, asked->schema)) {

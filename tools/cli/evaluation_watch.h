@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "interpreter/runtime/time_budget.h"
 #include "machine/port/work_watch.h"
@@ -9,7 +10,7 @@
 namespace g31::cli {
 
 /// Stands beside an evaluation: ends it when its time is up or somebody interrupts, and shows a
-/// person how many rows have been read.
+/// person how many rows have been read, and then for how long it has evaluated them.
 class EvaluationWatch final : public machine::WorkWatch {
  public:
   /// @param rows   about so many are looked at first
@@ -22,7 +23,8 @@ class EvaluationWatch final : public machine::WorkWatch {
  private:
   runtime::TimeBudget& time_;
   std::size_t rows_left_;
-  Progress progress_;
+  bool shows_;
+  std::optional<Progress> progress_;
 };
 
 }  // namespace g31::cli

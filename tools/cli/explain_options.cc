@@ -50,7 +50,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
       explain->add_option("--page", options.page,
                           "print a page of docs as the tables make it: set-up-sheet.md, "
                           "codes.md, reference/cycles.md, ...; of an unknown name all are listed");
-  page->type_name("NAME");
+  page->type_name("NAME")->excludes("--json");
   explain->callback([&options, all, page] {
     take_file_of_json(options);
     if (options.topics.empty() && all->empty() && page->empty()) {

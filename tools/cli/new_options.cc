@@ -24,8 +24,8 @@ std::string new_examples() {
   return "Examples:\n"
          "  g31 new measuring\n"
          "  g31 new measuring --control sinumerik-828d\n\n"
-         "The folder gets measure.nc (MEASURE.MPF), setup.toml, .github/workflows/g31.yml and "
-         "README.md.\n"
+         "The folder gets measure.nc (MEASURE.MPF), setup.toml, README.md, and for CI "
+         ".github/workflows/g31.yml and .gitlab-ci.yml.\n"
          "Where one of them is there already, nothing is changed, and the exit code is 2.\n\n";
 }
 

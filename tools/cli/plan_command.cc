@@ -229,9 +229,12 @@ Result<plan::PlannedPart, Refusal> plan_in(const FolderBeside& made, const PlanO
 
 Wrong wrong_folder(const PlanOptions& options) {
   std::error_code unreadable;
-  if (fs::exists(options.folder, unreadable) && !fs::is_directory(options.folder, unreadable)) {
-    return session::bad_input(fmt::format("-o {} is no folder", options.folder));
-  }
+  return fs::exists(options.folder, unreadable) && !fs::is_directory(options.folder, unreadable)
+             ? Wrong(session::bad_input(fmt::format("-o {} is no folder", options.folder)))
+             : std::nullopt;
+}
+
+Wrong wrong_output(const PlanOptions& options) {
   std::vector<OutputPlace> outputs;
   for (const char* const name : {"plan.json", "plan.html", "setup.toml"}) {
     outputs.push_back({"-o", (fs::path(options.folder) / name).string()});
@@ -244,14 +247,17 @@ Wrong wrong_folder(const PlanOptions& options) {
 }  // namespace
 
 ExitCode plan_command(const PlanOptions& options) {
-  for (const auto& wrong : {wrong_folder(options), why_no_page("plan.html")}) {
-    if (wrong) {
-      return refuse(*wrong);
-    }
-  }
   const auto refused = [&options](const Refusal& wrong) {
     return refuse(wrong, options.json, "g31.plan/1");
   };
+  if (const auto wrong = wrong_output(options)) {
+    return refuse(*wrong);
+  }
+  for (const auto& wrong : {wrong_folder(options), why_no_page("plan.html")}) {
+    if (wrong) {
+      return refused(*wrong);
+    }
+  }
   const auto made = FolderBeside::make(options.folder);
   if (!made) {
     return refused(made.error());

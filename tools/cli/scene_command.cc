@@ -55,8 +55,7 @@ std::optional<session::Refusal> refused(const SceneOptions& options) {
                     "needs nothing more",
                     options.output, kSvgDrawer));
   }
-  return wrong_place({{"-o", options.output}, {"--json", options.run.json}},
-                     {options.run.programs, options.run.setups});
+  return std::nullopt;
 }
 
 picture::StillScene still_of(const setup::Job& job, const picture::WayRecorder& recorder) {
@@ -173,6 +172,10 @@ Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {
 
 ExitCode scene_command(const SceneOptions& options) {
   const disk::WaitingLimit limit(options.run.budget.wall_seconds);
+  if (const auto wrong = wrong_place({{"-o", options.output}, {"--json", options.run.json}},
+                                     {options.run.programs, options.run.setups})) {
+    return refuse(*wrong);
+  }
   const auto done = do_scene(options);
   return done ? done.value() : refuse(done.error(), options.run.json, kSchema);
 }

@@ -54,7 +54,9 @@ DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
     const std::size_t at = std::min(place.offset, file.text.size());
     const std::size_t break_before =
         at == 0 ? std::string_view::npos : file.text.rfind(line_end, at - 1);
-    const std::size_t begin = break_before == std::string_view::npos ? 0 : break_before + 1;
+    const std::size_t first = file.text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+    const std::size_t begin =
+        break_before == std::string_view::npos ? std::min(first, at) : break_before + 1;
     const std::size_t end = std::min(file.text.find(line_end, at), file.text.size());
     error.line = static_cast<int>(place.line);
     error.column = 1 + static_cast<int>(character_count(file.text.substr(begin, at - begin)));

@@ -11,6 +11,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/nearest_name.h"
+#include "machine/base/utf_8.h"
 #include "tools/evaluate/data_field.h"
 
 namespace g31::evaluate {
@@ -18,8 +19,6 @@ namespace {
 
 /// Rows whose digits tell the resolution.
 constexpr std::size_t kLookedAt = 1000;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 /// UTF-16 begins with its byte order mark, or has every other byte 0.
 bool is_wide(std::string_view text) {
   const std::string_view beginning = text.substr(0, 2);

@@ -28,11 +28,11 @@ class FanucWriter final : public ProgramWriter {
       : ProgramWriter(plan, steps, options, kFanucWords) {}
 
  private:
-  /// Capitals, and no brackets, which would end it.
+  /// Capitals, no brackets, which would end it, and no %, which would end the tape.
   void comment(std::string_view text) override {
     std::string shown;
     for (const char c : text) {
-      const bool is_plain = c >= ' ' && c <= '~' && c != '(' && c != ')';
+      const bool is_plain = c >= ' ' && c <= '~' && c != '(' && c != ')' && c != '%';
       const char plain = is_plain ? c : '-';
       shown += plain >= 'a' && plain <= 'z' ? static_cast<char>(plain - 'a' + 'A') : plain;
     }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/utf_8.h"
 #include "machine/units/rounded_length.h"
 #include "tools/plan/printed_line.h"
 
@@ -114,7 +115,6 @@ std::string_view word_of(Verdict verdict) {
 }
 
 Judgement judged(const std::vector<Measure>& measures, std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   text.remove_prefix(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   Sheet sheet(measures);
   std::string line;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/time_budget.h"
+#include "machine/base/utf_8.h"
 #include "parts/features/recognise.h"
 #include "parts/solids/removal.h"
 #include "tools/disk/disk.h"
@@ -55,6 +56,12 @@ class PartPlanner {
 
  private:
   Wrong find_features() {
+    if (as_valid_utf_8(request_.product) != request_.product) {
+      return session::bad_input(
+          fmt::format("{}: the name is no UTF-8, which a set-up sheet has to be: give the file "
+                      "another one",
+                      as_valid_utf_8(request_.product)));
+    }
     const auto stock = stock_choice(request_.stock);
     if (!stock) {
       return stock.error();

@@ -11,6 +11,7 @@
 #include "interpreter/dialects/sinumerik/explain/explain.h"
 #include "interpreter/dialects/sinumerik/explain/program_texts.h"
 #include "interpreter/runtime/overloaded.h"
+#include "machine/base/letters.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
 
@@ -74,6 +75,12 @@ void add_models(runtime::Entries& entries) {
   }
 }
 
+/// A name that another control of the family has, spelled as it is, is no hint.
+std::optional<std::string> other_than(const std::string& topic,
+                                      std::optional<std::string> nearest) {
+  return nearest && in_capitals(*nearest) == in_capitals(topic) ? std::nullopt : nearest;
+}
+
 }  // namespace
 
 runtime::Entries explain(const std::string& topic, const Control& control) {
@@ -117,13 +124,14 @@ Suggestion suggestion_for(const std::string& topic, const Control& control) {
             if (!explain(topic, SinumerikControl{}).empty()) {
               suggestion.other_control = SinumerikControl{};
             }
-            suggestion.nearest_topic = fanuc::reference::nearest_topic(topic);
+            suggestion.nearest_topic = other_than(topic, fanuc::reference::nearest_topic(topic));
             suggestion.examples = "#5061, G31, ATAN, GOTO, 'alarm 112' or 6001.1";
             return suggestion;
           },
           [&](const SinumerikControl&) {
             Suggestion suggestion;
-            suggestion.nearest_topic = sinumerik::nearest_topic(topic, shipped_topics());
+            suggestion.nearest_topic =
+                other_than(topic, sinumerik::nearest_topic(topic, shipped_topics()));
             suggestion.examples =
                 "$AA_MW, G54, SUBSTR, CYCLE977, _OVR[4], 61301 or $SCS_MEA_FEED_MEASURE";
             return suggestion;

@@ -10,6 +10,7 @@
 #include "interpreter/dialects/fanuc/run/evaluation_failure.h"
 #include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
+#include "interpreter/source/readable_text.h"
 
 namespace g31::fanuc {
 
@@ -64,7 +65,7 @@ MaybeFailure Assignments::assigned_system_variable(int number, double value) {
   }
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[program.steps[frame().current].block];
-  const std::string text(
+  const std::string text = source::readable_text(
       program.file->text().substr(block.text.begin, block.text.end - block.text.begin));
   if (auto failure = end_read_ahead(control_)) {
     return failure;

@@ -10,6 +10,7 @@
 #include "interpreter/source/printable.h"
 #include "interpreter/syntax/decimal.h"
 #include "interpreter/syntax/tree.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::fanuc {
 namespace {
@@ -109,7 +110,6 @@ bool Scanner::ends_tape(std::size_t percent) const {
 }
 
 void Scanner::skip_leader() {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text_.starts_with(kByteOrderMark)) {
     at_ = kByteOrderMark.size();
   }

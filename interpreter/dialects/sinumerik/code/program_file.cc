@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -29,13 +30,16 @@ bool is_first_of_line(std::string_view text, std::size_t at) {
   return before == text.npos || text[before] == '\n';
 }
 
-/// Cuts a text at its headers, which may have blanks before them: a byte order mark has become
-/// such.  Any other line that begins with % is a header without a name.
+/// Cuts a text at its headers, which may have blanks before them.  Any other line that begins with
+/// % is a header without a name; a byte order mark is in no piece.
 std::vector<Piece> pieces_of(std::string_view text) {
   std::vector<Piece> pieces;
   Piece now;
+  now.begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  const std::string_view behind_mark = text.substr(now.begin);
+  const std::size_t mark = now.begin;
   for (std::size_t at = text.find('%'); at != text.npos; at = text.find('%', at + 1)) {
-    if (!is_first_of_line(text, at)) {
+    if (!is_first_of_line(behind_mark, at - mark)) {
       continue;
     }
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -74,14 +78,6 @@ const CompiledProgram& FiledProgram::code(const Globals& globals) {
 const CompiledProgram& FiledProgram::define_in(Globals& globals) {
   std::call_once(once_, [&] { code_ = compile_definitions(source_, globals); });
   return *code_;
-}
-
-std::string ProgramFile::without_mark(std::string text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) {
-    text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
-  }
-  return text;
 }
 
 ProgramFile::ProgramFile(const source::SourceFile& text, bool is_shipped) : text_(text) {

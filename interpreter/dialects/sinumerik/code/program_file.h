@@ -37,12 +37,9 @@ class FiledProgram {
 /// A file of programs: one, or many behind headers %_N_NAME_SPF.
 class ProgramFile {
  public:
-  /// @param text        without its byte order mark; outlives the file
+  /// @param text        outlives the file
   /// @param is_shipped  comes with the control
   explicit ProgramFile(const source::SourceFile& text, bool is_shipped = false);
-
-  /// A byte order mark becomes blanks: places stay as they are.
-  static std::string without_mark(std::string text);
 
   [[nodiscard]] const source::SourceFile& text() const { return text_; }
   [[nodiscard]] const std::vector<std::unique_ptr<FiledProgram>>& programs() const {

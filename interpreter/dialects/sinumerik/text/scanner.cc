@@ -6,6 +6,7 @@
 
 #include "interpreter/dialects/sinumerik/text/digits.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
+#include "machine/base/utf_8.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -175,7 +176,8 @@ void Scanner::symbol() {
       return;
     }
   }
-  ++at_;
+  const auto [length, is_character] = utf_8_piece(rest);
+  at_ += is_character ? length : 1;
   add(TokenKind::Unknown, begin);
 }
 
