@@ -43,8 +43,8 @@ ProgramFile* ProgramLibrary::file(const std::string& path) {
   if (is_new) {
     if (auto text = sources_.files().read(path)) {
       const bool is_shipped = !shipped_folder_.empty() && path.starts_with(shipped_folder_ + "/");
-      place->second = std::make_unique<ProgramFile>(
-          sources_.whole(path, *std::move(text)), is_shipped);
+      place->second =
+          std::make_unique<ProgramFile>(sources_.whole(path, *std::move(text)), is_shipped);
     }
   }
   return place->second.get();
