@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/vocabulary/argument_letters.h"
+#include "interpreter/dialects/fanuc/vocabulary/fine_feed.h"
 
 namespace g31::analysis {
 namespace {
@@ -28,9 +29,9 @@ struct Counts {
 };
 
 std::optional<Counts> counts_of_feed(const fanuc::Profile& profile, const PointReading& reading) {
-  constexpr fanuc::FeedCounts kFine = {1000.0, 100'000.0};
   constexpr double kSlowest = 10.0;
-  const fanuc::FeedCounts& counts = reading.has_fine_feed ? kFine : profile.feed_counts;
+  const fanuc::FeedCounts& counts =
+      reading.has_fine_feed ? fanuc::kFineFeedCounts : profile.feed_counts;
   return counts.per_mm > 1.0 ? std::optional(Counts{counts.per_mm, counts.per_inch, kSlowest})
                              : std::nullopt;
 }

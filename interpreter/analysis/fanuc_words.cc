@@ -99,6 +99,7 @@ class JudgedBlock {
   [[nodiscard]] WrongWord corners() const;
   [[nodiscard]] WrongWord compensation() const;
   [[nodiscard]] WrongWord action() const;
+  [[nodiscard]] bool sets_other_data() const;
 
   const fanuc::Profile& profile_;
   const WordReading& reading_;
@@ -159,10 +160,21 @@ WrongWord JudgedBlock::judge() const {
   return action();
 }
 
+/// G10 with what is no length, as far as its L says.
+bool JudgedBlock::sets_other_data() const {
+  if (codes_.acting == nullptr || codes_.acting->action != GAction::SetData) {
+    return false;
+  }
+  const EvaluatedWord* const l = words_.find('L');
+  const int number = l != nullptr ? fanuc::nearest_integer(l->number) : fanuc::kUsualData;
+  return !fanuc::sets_work_offset(number) &&
+         fanuc::find_offset_form(number, runtime::OffsetMemory::C) == nullptr;
+}
+
 std::vector<LostPoint> JudgedBlock::lost_points() const {
   const Use use = this->use();
   const bool is_read = use == Use::Block || use == Use::MacroCall;
-  return is_read && !codes_.has_mode
+  return is_read && !codes_.has_mode && !sets_other_data()
              ? analysis::lost_points(words_.words(),
                                      {codes_.acting, codes_.drills, use == Use::MacroCall},
                                      profile_, reading_.points)

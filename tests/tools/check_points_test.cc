@@ -57,9 +57,9 @@ const std::vector<std::string> kExpected = {
     "2:12: X10 without a decimal point is 0.01 (under G20 0.001)",
     "3:5: Z-999 without a decimal point is -0.999 (under G20 -0.0999)",
     "4:8: Z10 without a decimal point is 0.01 (under G20 0.001)",
-    "4:15: A3 without a decimal point is 0.003",
+    "4:15: A3 without a decimal point is 0.003 (under G20 0.0003)",
     "6:11: R45 without a decimal point is 0.045",
-    "7:10: X5 without a decimal point is 0.005 (under G20 0.0005)",
+    "7:11: X5 without a decimal point is 0.005 (under G20 0.0005)",
     "10:5: A90 without a decimal point is 0.09",
     "11:9: I5 without a decimal point is 0.005 (under G20 0.0005)",
 };
@@ -70,7 +70,7 @@ TEST(CheckPoints, ThatAreLostAreToldWhereTheyMakeALengthOfNothing) {
 
 TEST(CheckPoints, OfAFeedAreLostOnAHaas) {
   std::vector<std::string> found = told("", "haas");
-  EXPECT_EQ(std::erase(found, "3:12: F100 without a decimal point is 0.1 (under G20 0.01)"), 1U);
+  EXPECT_EQ(std::erase(found, "3:11: F100 without a decimal point is 0.1 (under G20 0.01)"), 1U);
   EXPECT_EQ(std::erase(found, "4:18: F300 without a decimal point is 0.3 (under G20 0.03)"), 1U);
   EXPECT_EQ(found, kExpected);
 }
@@ -81,9 +81,10 @@ TEST(CheckPoints, AreNotMissedWhereTheSheetReadsWholeMillimetres) {
 
 TEST(CheckPoints, CountTheIncrementsOfTheSheet) {
   const auto finer = told("[control]\nincrement = \"IS-C\"\n", "fanuc-16i");
-  ASSERT_EQ(finer.size(), kExpected.size() + 1);
+  ASSERT_EQ(finer.size(), kExpected.size() + 2);
   EXPECT_EQ(finer[0], "2:12: X10 without a decimal point is 0.001 (under G20 0.0001)");
-  EXPECT_EQ(finer[7], "10:9: X1000 without a decimal point is 0.1 (under G20 0.01)");
+  EXPECT_EQ(finer[6], "9:14: Q500 without a decimal point is 0.05 (under G20 0.005)");
+  EXPECT_EQ(finer[8], "10:9: X1000 without a decimal point is 0.1 (under G20 0.01)");
   EXPECT_EQ(told_of("G1 X9 Y10.", "[control]\nincrement = \"IS-A\"\n"),
             std::vector<std::string>{"2:4: X9 without a decimal point is 0.09 (under G20 0.009)"});
   EXPECT_TRUE(told_of("G1 X100 A500 Y10.", "[control]\nincrement = \"IS-A\"\n").empty());
@@ -97,17 +98,20 @@ TEST(CheckPoints, AreOfLengthsAnglesTimesAndFeedsAlone) {
   const std::string without = " without a decimal point is ";
   for (const Row& row : std::vector<Row>{
            {"G10 L12 P1 R5", {"2:12: R5" + without + "0.005 (under G20 0.0005)"}},
-           {"G83 Z-5. R1. Q2 K2 F100.", {"2:15: Q2" + without + "0.002 (under G20 0.0002)"}},
+           {"G83 Z-5. R1. Q2 K2 F100.", {"2:14: Q2" + without + "0.002 (under G20 0.0002)"}},
            {"G1 X10. ,R5", {"2:9: ,R5" + without + "0.005 (under G20 0.0005)"}},
            {"G4 X5", {"2:4: X5" + without + "0.005"}},
            {"G4 X500", {}},
            {"G5.1 Q1 R5", {}},
+           {"G10 L99 P1 R5", {}},
            {"G84 X1. Z-2. R1. F100. J2", {}},
            {"G81 Z-2. R1. F100. K3", {}},
            {"G54.1 P5 H3 D2 S500 T4 M6", {}},
            {"G31 P1 X5. L2", {}}}) {
     EXPECT_EQ(told_of(row.block + std::string("\nY10."), ""), row.said) << row.block;
   }
+  EXPECT_EQ(told_of("G1 (mm)X5(ten)Y10.", ""),
+            std::vector<std::string>{"2:8: X5" + without + "0.005 (under G20 0.0005)"});
   EXPECT_EQ(told_of("G1 F100 Y10.", "[parameters]\n\"1403.0\" = 1\n"),
             std::vector<std::string>{"2:4: F100" + without + "0.1 (under G20 0.001)"});
 }

@@ -169,7 +169,7 @@ const Case kAlarms[] = {
     {"marker behind Shift-JIS", framed("(\x83\x5C\x91\xAA)#1=1/0"), 3, "2:10",
      "    2 | (?\\?\?)#1=1/0\n      |          ^~~"},
     {"alarm text in Shift-JIS", framed("#3000=1(\x83\x5C\x91\xAA)"), 3, "2:1",
-     "error: ?\\?? [3001]"},
+     "error: ソ測 [3001]"},
     {"endless loop", framed("WHILE[1EQ1]DO1\nEND1"), 6, "", "the limit of executed blocks"},
     {"endless repeats of the program", "O1\nM99\n", 6, "", "the limit of executed blocks"},
 };

@@ -9,6 +9,7 @@
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
+#include "interpreter/dialects/fanuc/vocabulary/fine_feed.h"
 
 namespace g31::fanuc {
 namespace {
@@ -242,9 +243,8 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
 double counted_feed(const Control& control, const EvaluatedWord& word) {
   const bool inch = control.scale.unit == LengthUnit::Inch;
   if (control.modal.group[Group::FeedMode].whole != 95) {
-    constexpr FeedCounts kFine = {1000.0, 100'000.0};
     const bool fine = control.parameters.is_on(ParameterId::FineFeed);
-    const FeedCounts& counts = fine ? kFine : control.profile.feed_counts;
+    const FeedCounts& counts = fine ? kFineFeedCounts : control.profile.feed_counts;
     return word.number / (inch ? counts.per_inch : counts.per_mm);
   }
   const double per_mm = control.parameters.is_on(ParameterId::FineFeedPerTurn) ? 1000.0 : 100.0;
