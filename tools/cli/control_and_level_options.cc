@@ -29,9 +29,8 @@ void add_fail_on_option(CLI::App& command, source::Severity& fail_on, const std:
 }
 
 void add_quiet_option(CLI::App& command, bool& is_quiet) {
-  constexpr const char* kNames = "-q,--quiet";
   if (command.get_option_no_throw("--quiet") == nullptr) {
-    command.add_flag(kNames, is_quiet, "no progress on a terminal");
+    command.add_flag("-q,--quiet", is_quiet, "no progress on a terminal");
   }
 }
 

@@ -33,10 +33,8 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   explain
       ->add_option("TOPIC", options.topics,
                    "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of "
-                   "a SINUMERIK "
-                   "$AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, PRB301, "
-                   "SET103, 'exit 4'; "
-                   "skip, 'ball diameter'")
+                   "a SINUMERIK $AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, "
+                   "PRB301, SET103, 'exit 4'; skip, 'ball diameter'")
       ->check(why_no_word);
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
   explain->add_flag("--search", options.search,

@@ -194,8 +194,7 @@ std::string next_command(const PlanOptions& options, const plan::PlannedPart& pl
   return "now: " + command.line() + "\n";
 }
 
-/// Plans in a folder whose files are handed over later; a refusal names the folder that
-/// they get to.
+/// Plans in a folder whose files are handed over later; a refusal names the one that they get to.
 Result<plan::PlannedPart, Refusal> plan_in(const FolderBeside& made, const PlanOptions& options,
                                            PlanProgress& progress) {
   plan::PlanRequest request;
