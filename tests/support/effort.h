@@ -8,9 +8,9 @@
 namespace g31::testing {
 
 /// Of so many like cases a test tries one: of each, and under the sanitizers, where each takes ten
-/// times as long and only what it does to memory is asked, of eight.
+/// times as long and only what it does to memory is asked, of four.
 #if defined(G31_UNDER_SANITIZERS)
-inline constexpr int kOneCaseOf = 8;
+inline constexpr int kOneCaseOf = 4;
 #else
 inline constexpr int kOneCaseOf = 1;
 #endif
