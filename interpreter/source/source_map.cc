@@ -25,8 +25,7 @@ ShownPlace shown(const std::string& name, std::string_view text, const LineStart
     rest.remove_prefix(kByteOrderMark.size());
     before -= std::min(before, kByteOrderMark.size());
   }
-  return {name, place.line + first_line - 1,
-          1 + static_cast<int>(character_count(rest.substr(0, before))),
+  return {name, place.line + first_line - 1, column_behind(rest.substr(0, before)),
           std::string(rest.substr(0, rest.find_first_of("\r\n")))};
 }
 

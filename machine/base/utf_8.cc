@@ -58,6 +58,10 @@ std::size_t character_count(std::string_view bytes) {
   return count;
 }
 
+int column_behind(std::string_view text) {
+  return 1 + static_cast<int>(character_count(text));
+}
+
 std::size_t bytes_of_characters(std::string_view bytes, std::size_t characters) {
   std::size_t begin = 0;
   while (characters > 0 && begin < bytes.size()) {

@@ -23,6 +23,9 @@ Utf8Piece utf_8_piece(std::string_view bytes);
 /// How many characters a text has; of what is none, each byte counts as one.
 std::size_t character_count(std::string_view bytes);
 
+/// The column of what stands behind a text in its line, from 1, in such characters.
+int column_behind(std::string_view text);
+
 /// How many bytes so many characters have at its beginning, as character_count() counts them; of a
 /// text that has fewer, all.
 std::size_t bytes_of_characters(std::string_view bytes, std::size_t characters);

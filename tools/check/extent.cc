@@ -10,11 +10,6 @@
 namespace g31::check {
 namespace {
 
-/// @param bytes  of the line before the column
-int column_of(std::string_view line, std::size_t bytes) {
-  return 1 + static_cast<int>(character_count(line.substr(0, bytes)));
-}
-
 /// Of a program whose blocks all stand on one line the line would come with each finding.
 std::string text_of_line(const source::ShownPlace& place) {
   constexpr std::size_t kMostBytes = 1000;
@@ -25,7 +20,8 @@ std::string text_of_line(const source::ShownPlace& place) {
 
 Extent extent_of(const analysis::Finding& finding, const source::SourceMap& sources) {
   const source::ShownPlace place = sources.show(finding.where);
-  const int end = column_of(place.text, bytes_before(place) + finding.where.length);
+  const std::string_view line = place.text;
+  const int end = column_behind(line.substr(0, bytes_before(place) + finding.where.length));
   return {place.file,         place.line, place.column, place.line, std::max(end, place.column + 1),
           text_of_line(place)};
 }

@@ -344,6 +344,10 @@ void look_at(const setup::Job& job, const Watch& watch) {
   }
 }
 
+void tell_note(const std::string& note) {
+  std::fputs(fmt::format("g31: note: {}\n", note).c_str(), stderr);
+}
+
 /// Makes a run ready and does it.
 Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   disk::Disk disk;
@@ -360,7 +364,7 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   session::Prepared prepared = read.value();
   prepared.job.control.block_skip.insert(options.block_skip.begin(), options.block_skip.end());
   if (!prepared.note.empty()) {
-    std::fputs(fmt::format("g31: note: {}\n", prepared.note).c_str(), stderr);
+    tell_note(prepared.note);
   }
   if (options.watch != nullptr) {
     look_at(prepared.job, *options.watch);
@@ -370,11 +374,10 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   }
   const auto line = checked(options, prepared.job);
   if (line && line.value().other && !line.value().other->has_times) {
-    std::fputs(fmt::format("g31: note: --compare {} tells no times of its moves: the time line "
-                           "shows its touches alone; write it with --blocks, too\n",
-                           options.compare)
-                   .c_str(),
-               stderr);
+    tell_note(
+        fmt::format("--compare {} tells no times of its moves: the time line shows its "
+                    "touches alone; write it with --blocks, too",
+                    options.compare));
   }
   return line ? open_and_run(options, prepared, line.value(), remembering)
               : Result<ExitCode, Refusal>(line.error());

@@ -112,9 +112,7 @@ expect::Actual actual_of(const OpenedRun& opened, const runtime::Outcome& outcom
     const auto text = disk.read(path);
     return text ? std::optional(source::text_as_utf8(*text)) : std::nullopt;
   };
-  const std::string& output = opened.recorder.output();
-  actual.output =
-      opened.recorder.output_is_text() ? source::text_as_utf8(output) : source::as_utf8(output);
+  actual.output = opened.recorder.output_as_utf8()(opened.recorder.output());
   actual.touches = opened.recorder.touch_count();
   actual.findings = count_findings(outcome);
   actual.machine_time_s = opened.machine.time_s();

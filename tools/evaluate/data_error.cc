@@ -59,7 +59,7 @@ DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
         break_before == std::string_view::npos ? std::min(first, at) : break_before + 1;
     const std::size_t end = std::min(file.text.find(line_end, at), file.text.size());
     error.line = static_cast<int>(place.line);
-    error.column = 1 + static_cast<int>(character_count(file.text.substr(begin, at - begin)));
+    error.column = column_behind(file.text.substr(begin, at - begin));
     error.source_line = file.text.substr(begin, end - begin);
   }
   return error;

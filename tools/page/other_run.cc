@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <optional>
 
-#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "machine/base/json_nesting.h"
 #include "machine/kinematics/axis_chain.h"
 #include "tools/page/figure_pieces.h"
+#include "tools/picture/on_part.h"
 #include "tools/picture/tip.h"
 
 namespace g31::page {
@@ -48,9 +48,9 @@ class PartView {
   [[nodiscard]] Point ball_at(const AxisPositions& q_M) const {
     return linear_axes(chain_.for_part(q_M).q) + p_tip_;
   }
-  /// As the axes stand there.
-  [[nodiscard]] Eigen::Isometry3d part_from_machine(const AxisPositions& q_M) const {
-    return chain_.is_turned(q_M) ? chain_.part_from_machine(q_M) : Eigen::Isometry3d::Identity();
+  [[nodiscard]] picture::SurfacePlace place_at(const AxisPositions& q_M, const Point& p_M,
+                                               const Point& n_M) const {
+    return picture::on_part(chain_, q_M, {p_M, n_M});
   }
 
  private:
@@ -96,9 +96,7 @@ Json touch_of(const Json& touch, const setup::Job& job, const PartView& view) {
   const Point ball = view.ball_at(*latched);
   figure["ball"] = array_of(ball);
   if (contact && normal && job.probe) {
-    const Eigen::Isometry3d part_from_machine = view.part_from_machine(*latched);
-    const Point p = part_from_machine * *contact;
-    const Point n = part_from_machine.linear() * *normal;
+    const auto [p, n] = view.place_at(*latched, *contact, *normal);
     const double radius = job.probe->ball_diameter_mm / 2.0;
     figure["contact"] = array_of(p);
     figure["normal"] = array_of(n);

@@ -9,6 +9,7 @@
 
 #include "parts/geometry/placement.h"
 #include "probe/tooling/spindle.h"
+#include "tools/picture/on_part.h"
 #include "tools/picture/stylus_shape.h"
 #include "tools/picture/tip.h"
 
@@ -219,12 +220,8 @@ void WayRecorder::mark(const machine::MachineFault& fault) {
 }
 
 Mark WayRecorder::mark_of(const machine::Contact& contact, const AxisPositions& q_M) const {
-  Mark mark = {contact.p_M_point, contact.n_M, contact.part, {}, 0, stylus_at(q_M), {}};
-  if (chain_.has_rotary_axes() && chain_.is_turned(q_M)) {
-    const Eigen::Isometry3d part_from_machine = chain_.part_from_machine(q_M);
-    mark.p_M = part_from_machine * contact.p_M_point;
-    mark.n_M = part_from_machine.linear() * contact.n_M;
-  }
+  const SurfacePlace place = on_part(chain_, q_M, {contact.p_M_point, contact.n_M});
+  Mark mark = {place.p, place.n, contact.part, {}, 0, stylus_at(q_M), {}};
   if (job_ != nullptr) {
     mark.ball = touching_ball(*job_, mark);
   }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "interpreter/source/latin_1.h"
-
 namespace g31::report {
 namespace {
 
@@ -47,7 +45,7 @@ void ObjectWriter::write(const Json& value, int depth) {
   }
 }
 
-void ObjectWriter::write_latin_1(std::string_view text, AsUtf8 as_utf8) {
+void ObjectWriter::write_latin_1(std::string_view text, source::AsUtf8 as_utf8) {
   constexpr std::size_t kPiece = 65536;
   sink_("\"");
   while (!text.empty()) {
@@ -62,7 +60,8 @@ void ObjectWriter::write_latin_1(std::string_view text, AsUtf8 as_utf8) {
   sink_("\"");
 }
 
-void ObjectWriter::add_latin_1(std::string_view name, std::string_view text, AsUtf8 as_utf8) {
+void ObjectWriter::add_latin_1(std::string_view name, std::string_view text,
+                               source::AsUtf8 as_utf8) {
   begin_member(name);
   write_latin_1(text, as_utf8);
 }

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "interpreter/source/latin_1.h"
+
 namespace g31::report {
 
 /// Takes a text piece by piece.
@@ -17,7 +19,6 @@ using TextSink = std::function<void(std::string_view)>;
 class ObjectWriter {
  public:
   using Json = nlohmann::ordered_json;
-  using AsUtf8 = std::string (*)(std::string_view bytes);
 
   /// @param sink  outlives the writer
   explicit ObjectWriter(const TextSink& sink);
@@ -25,8 +26,7 @@ class ObjectWriter {
   void add(std::string_view name, const Json& value);
 
   /// A string of Latin-1 characters, one byte each.
-  /// @param as_utf8  source::as_utf8 or source::text_as_utf8
-  void add_latin_1(std::string_view name, std::string_view text, AsUtf8 as_utf8);
+  void add_latin_1(std::string_view name, std::string_view text, source::AsUtf8 as_utf8);
   /// An object of such texts.
   void add_latin_1(std::string_view name, const std::map<std::string, std::string_view>& texts);
 
@@ -50,7 +50,7 @@ class ObjectWriter {
   void begin_member(std::string_view name);
   /// @param depth  of the line that the value begins in
   void write(const Json& value, int depth);
-  void write_latin_1(std::string_view text, AsUtf8 as_utf8);
+  void write_latin_1(std::string_view text, source::AsUtf8 as_utf8);
 
   const TextSink& sink_;
   bool is_empty_ = true;

@@ -8,6 +8,7 @@
 
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/output_budget.h"
+#include "interpreter/source/latin_1.h"
 #include "machine/port/machine_port.h"
 #include "tools/session/missed_skips.h"
 
@@ -56,8 +57,10 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] std::size_t touch_count() const { return touch_count_; }
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   [[nodiscard]] const std::string& output() const { return output_; }
-  /// As runtime::OutputEvent::is_text.
-  [[nodiscard]] bool output_is_text() const { return output_is_text_; }
+  /// What brings it to people.
+  [[nodiscard]] source::AsUtf8 output_as_utf8() const {
+    return output_is_text_ ? &source::text_as_utf8 : &source::as_utf8;
+  }
   [[nodiscard]] session::MissedSkips& missed_skips() { return missed_skips_; }
   [[nodiscard]] const session::MissedSkips& missed_skips() const { return missed_skips_; }
 

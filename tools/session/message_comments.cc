@@ -157,7 +157,7 @@ std::vector<MessageComment> asking(const Line& line) {
       if (found.size() == kMostOfALine) {
         return found;
       }
-      one.column = static_cast<int>(character_count(line.text.substr(0, comment.begin))) + 1;
+      one.column = column_behind(line.text.substr(0, comment.begin));
       one.begin = comment.begin;
       one.length = comment.length;
       found.push_back(std::move(one));

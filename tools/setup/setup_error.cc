@@ -43,11 +43,7 @@ std::vector<std::string> shown_characters(std::string_view line) {
 
 /// A detail of a message: one line of bounded length, whatever a sheet put into it.
 std::string shortened(std::string_view detail) {
-  const std::vector<std::string> characters = shown_characters(detail.substr(0, kLongestDetail));
-  std::string text;
-  for (const std::string& character : characters) {
-    text += character;
-  }
+  const std::string text = source::printable(detail.substr(0, kLongestDetail));
   return detail.size() > kLongestDetail ? text + "..." : text;
 }
 

@@ -14,6 +14,19 @@ namespace g31::study {
 
 using session::Refusal;
 
+namespace {
+
+/// Programs are read for one control.
+Refusal two_controls(const ListedAxis& axis, const session::Control& one,
+                     const session::Control& other) {
+  return session::bad_setup(fmt::format(
+      "{}: the runs of a study are on one control, here on {} and {}; write a study for "
+      "each, or name the control in [study]",
+      axis.key, session::name_of(one), session::name_of(other)));
+}
+
+}  // namespace
+
 Result<StudyJobs, Refusal> StudyJobs::read(const Study& study) {
   StudyJobs jobs(study);
   const std::string machines = disk::shipped_folder("machine/library").value_or("");
@@ -38,27 +51,12 @@ Result<StudyJobs, Refusal> StudyJobs::read(const Study& study) {
   return jobs;
 }
 
-/// Programs are read for one control.
-std::optional<Refusal> StudyJobs::why_other_control(const ListedAxis& axis, const setup::Job& first,
-                                                    const setup::Job& other) const {
+Result<session::Control, Refusal> StudyJobs::control_of(const setup::Job& job) const {
   session::Request request;
   request.control = study_->control;
   request.programs = {study_->program};
   disk::Disk disk;
-  const auto on = session::chosen_control(request, first, disk);
-  const auto also = session::chosen_control(request, other, disk);
-  for (const auto* const control : {&on, &also}) {
-    if (!*control) {
-      return control->error();
-    }
-  }
-  const std::string_view here = session::name_of(on.value());
-  const std::string_view there = session::name_of(also.value());
-  return here == there ? std::nullopt
-                       : std::optional(session::bad_setup(fmt::format(
-                             "{}: the runs of a study are on one control, here on {} and {}; write "
-                             "a study for each, or name the control in [study]",
-                             axis.key, here, there)));
+  return session::chosen_control(request, job, disk);
 }
 
 /// Each value with the first ones of all other lists, so that a long grid is tried quickly.
@@ -68,6 +66,10 @@ std::optional<Refusal> StudyJobs::why_not_all() const {
   if (!first) {
     return first.error();
   }
+  const auto control = control_of(first.value());
+  if (!control) {
+    return control.error();
+  }
   for (const ListedAxis& axis : study_->listed) {
     stride /= axis.values.size();
     for (std::size_t i = 1; i < axis.values.size(); ++i) {
@@ -75,8 +77,12 @@ std::optional<Refusal> StudyJobs::why_not_all() const {
       if (!job) {
         return job.error();
       }
-      if (auto wrong = why_other_control(axis, first.value(), job.value())) {
-        return wrong;
+      const auto other = control_of(job.value());
+      if (!other) {
+        return other.error();
+      }
+      if (session::name_of(other.value()) != session::name_of(control.value())) {
+        return two_controls(axis, control.value(), other.value());
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "machine/base/result.h"
+#include "tools/session/control.h"
 #include "tools/session/refusal.h"
 #include "tools/setup/sheet_stack.h"
 #include "tools/study/study.h"
@@ -33,9 +34,8 @@ class StudyJobs {
  private:
   explicit StudyJobs(const Study& study) : study_(&study) {}
   [[nodiscard]] const setup::SheetStack& stack_of(std::size_t point) const;
-  [[nodiscard]] std::optional<session::Refusal> why_other_control(const ListedAxis& axis,
-                                                                  const setup::Job& first,
-                                                                  const setup::Job& other) const;
+  /// That the runs of a job are on.
+  [[nodiscard]] Result<session::Control, session::Refusal> control_of(const setup::Job& job) const;
 
   const Study* study_;
   std::vector<setup::SheetStack> stacks_;

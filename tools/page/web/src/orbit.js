@@ -1,14 +1,12 @@
 // How the scene is looked at: a parallel projection that turns about its centre, Z up.
 import { clamp } from './markup.js';
+import { dot } from './vectors.js';
 
 const ISO = { azimuth: -124, elevation: 27 }; // degrees; the viewer stands at the front, to the left
 const VIEWS = { iso: ISO, x: { azimuth: 0, elevation: 0 }, y: { azimuth: -90, elevation: 0 }, z: { azimuth: -90, elevation: 90 } };
 const MARGIN = 1.12;
 
 /** @typedef {keyof typeof VIEWS} ViewName */
-
-/** @param {number[]} a @param {number[]} b */
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 export class Orbit {
   /** @param {import('./types').Box} box what is to be seen */

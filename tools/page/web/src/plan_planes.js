@@ -1,5 +1,6 @@
 // The planes that a plan view looks onto: along the axes of the machine, or of a part that lies askew to them.
 import { turned } from './turn.js';
+import { dot } from './vectors.js';
 import { word } from './words.js';
 
 /** Right, up and what looks out of it, as unit vectors of the machine; `axis` is the letter of the last.
@@ -9,9 +10,6 @@ import { word } from './words.js';
 
 const AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const ALONG = 1 - 1e-9; // cosine; of directions that are the same but for rounding
-
-/** @param {number[]} a @param {number[]} b */
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** @param {number[]} point @param {Plane} plane @returns {Flat} */
 export const flat = (point, plane) => [dot(point, plane.right), dot(point, plane.up)];
