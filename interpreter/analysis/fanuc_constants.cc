@@ -71,10 +71,8 @@ class FanucConstants {
   }
 
   [[nodiscard]] WrongFanuc wrong_operation(const fanuc::Op& op) const {
-    if (!profile_.has_series_30i_functions) {
-      if (auto wrong = fanuc::missing_in_series_16i(op)) {
-        return wrong;
-      }
+    if (op.is_missing) {
+      return fanuc::missing_in_series_16i(op);
     }
     const auto a = known(op.a);
     const auto b = known(op.b);

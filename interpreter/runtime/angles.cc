@@ -36,9 +36,11 @@ double by_quarter(double degrees, int quarter) {
 /// digit of `degrees`.
 constexpr double kExactTurns = 1e15;
 
-/// The same angle within about one turn, exactly.
+/// The same angle within about one turn, exactly: a product tells how many turns it has, near a
+/// whole one perhaps one too many or too few.
 double within_a_turn(double degrees) {
-  return std::abs(degrees) < kExactTurns ? degrees - 360.0 * truncated(degrees / 360.0)
+  constexpr double kTurns = 1.0 / 360.0;
+  return std::abs(degrees) < kExactTurns ? degrees - 360.0 * truncated(degrees * kTurns)
                                          : std::fmod(degrees, 360.0);
 }
 

@@ -102,6 +102,7 @@ struct Op {
   OpCode code = OpCode::End;
   std::uint8_t function = 0;  ///< row of functions.def; DigitLimit: how many digits
   std::uint8_t result = 0;    ///< place among the temporaries
+  bool is_missing = false;    ///< the control lacks it: an alarm where a run gets there
   Operand a;
   Operand b;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/dialects/fanuc/code/value_limits.h"
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_names.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
@@ -88,6 +89,7 @@ Index ExpressionCompiler::target_number(const Expr& variable) {
 Operand ExpressionCompiler::push(Op op, std::size_t result, syntax::ShortSpan span) {
   G31_EXPECTS(result < kTemporaryCount);
   op.result = static_cast<std::uint8_t>(result);
+  op.is_missing = !profile_.has_series_30i_functions && missing_in_series_16i(op);
   out_.ops.push_back(op);
   out_.op_spans.push_back(span);
   temporaries_ = result + 1;

@@ -23,7 +23,6 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.digit_limit = profile.digit_limit;
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
-  rules.has_series_30i_functions = profile.has_series_30i_functions;
   rules.joins_conditions =
       profile.joins_conditions || parameters.is_on(ParameterId::JoinsConditions);
   rules.parameters = &parameters;

@@ -44,25 +44,37 @@ enum class FunctionOfTwo : std::uint8_t {
 #undef One
 };
 
-bool is_sum_or_product(OpCode code) {
-  return code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply;
+bool is_arithmetic(OpCode code) {
+  return code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply ||
+         code == OpCode::Divide;
 }
 
-double add_subtract_multiply(OpCode code, double a, double b) {
-  return code == OpCode::Add ? a + b : code == OpCode::Subtract ? a - b : a * b;
+double arithmetic(OpCode code, double a, double b) {
+  return code == OpCode::Add        ? a + b
+         : code == OpCode::Subtract ? a - b
+         : code == OpCode::Multiply ? a * b
+                                    : a / b;
+}
+
+/// Of numbers.
+bool compare(OpCode code, double a, double b) {
+  if (code == OpCode::Equal || code == OpCode::NotEqual) {
+    return (a == b) == (code == OpCode::Equal);
+  }
+  if (code == OpCode::Greater || code == OpCode::GreaterEqual) {
+    return code == OpCode::Greater ? a > b : a >= b;
+  }
+  return code == OpCode::Less ? a < b : a <= b;
 }
 
 /// Vacant differs from 0 only for EQ and NE (MB-086, MB-087).
 bool compare(OpCode code, Cell a, Cell b) {
-  const double x = a.or_zero();
-  const double y = b.or_zero();
-  if (code == OpCode::Equal || code == OpCode::NotEqual) {
-    return equal(a, b) == (code == OpCode::Equal);
+  if (a.is_vacant() || b.is_vacant()) [[unlikely]] {
+    return code == OpCode::Equal || code == OpCode::NotEqual
+               ? equal(a, b) == (code == OpCode::Equal)
+               : compare(code, a.or_zero(), b.or_zero());
   }
-  if (code == OpCode::Greater || code == OpCode::GreaterEqual) {
-    return code == OpCode::Greater ? x > y : x >= y;
-  }
-  return code == OpCode::Less ? x < y : x <= y;
+  return compare(code, a.raw(), b.raw());
 }
 
 /// 16 -> 0x16: the BCD digits of an integer, or nullopt for what has none.
@@ -169,13 +181,15 @@ Cell Evaluator::evaluate_heard(const CompiledProgram& program, syntax::Index cod
     }
     const Cell b = banks[static_cast<std::size_t>(op->b.bank)][op->b.place];
     Cell& result = temporaries_[op->result];
-    if (is_sum_or_product(op->code)) {
-      const double number = add_subtract_multiply(op->code, a.or_zero(), b.or_zero());
-      if (!is_in_range(number)) [[unlikely]] {
-        fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", number));
-        return at(program, *op);
+    if (is_arithmetic(op->code)) {
+      // A vacant operand is no number, and so is what comes of it: the result alone tells.
+      result = Cell(arithmetic(op->code, a.raw(), b.raw()));
+      if (!is_in_range(result.raw())) [[unlikely]] {
+        result = arithmetic_of_vacant(op->code, a, b);
+        if (fault_) {
+          return at(program, *op);
+        }
       }
-      result = Cell(number);
     } else if (is_comparison(op->code)) {
       result = truth(compare(op->code, a, b));
     } else {
@@ -188,6 +202,13 @@ Cell Evaluator::evaluate_heard(const CompiledProgram& program, syntax::Index cod
   }
 }
 
+/// Arithmetic in which vacant counts as 0, and what has no result.
+Cell Evaluator::arithmetic_of_vacant(OpCode code, Cell a, Cell b) {
+  return code == OpCode::Divide && b.or_zero() == 0.0
+             ? fail(no_divisor(b))
+             : in_range(arithmetic(code, a.or_zero(), b.or_zero()));
+}
+
 /// Gives the fault its place.
 Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
   fault_->where = program.op_spans[static_cast<std::size_t>(&op - program.ops.data())];
@@ -196,17 +217,10 @@ Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
 
 Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
                                double round_to) {
-  if (!rules_.has_series_30i_functions) {
-    if (auto wrong = missing_in_series_16i(op)) {
-      return fail(std::move(*wrong));
-    }
+  if (op.is_missing) [[unlikely]] {
+    return fail(*missing_in_series_16i(op));
   }
   switch (op.code) {
-    case OpCode::Divide:
-      if (b.or_zero() == 0.0) {
-        return fail(no_divisor(b));
-      }
-      return in_range(a.or_zero() / b.or_zero());
     case OpCode::Negate:
       return a.is_vacant() ? Cell() : Cell(-a.raw());
     case OpCode::Read:
@@ -234,6 +248,7 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
     case OpCode::Add:
     case OpCode::Subtract:
     case OpCode::Multiply:
+    case OpCode::Divide:
     case OpCode::Equal:
     case OpCode::NotEqual:
     case OpCode::Greater:

@@ -18,10 +18,9 @@ namespace g31::fanuc {
 struct EvaluationRules {
   double largest_result = 1e47;
   double smallest_result = 1e-29;
-  int digit_limit = 12;            ///< digits of a number (MB-027)
-  bool signed_angles = false;      ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
-  bool clear_small_sines = false;  ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
-  bool has_series_30i_functions = false;
+  int digit_limit = 12;                    ///< digits of a number (MB-027)
+  bool signed_angles = false;              ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
+  bool clear_small_sines = false;          ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
   bool joins_conditions = false;           ///< 6006.0 MLG: AND OR XOR between comparisons
   const Parameters* parameters = nullptr;  ///< what PRM reads
   LogicOperands logic_operands = LogicOperands::Round;
@@ -62,6 +61,7 @@ class Evaluator {
  private:
   Cell rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
                       double round_to);
+  Cell arithmetic_of_vacant(OpCode code, Cell a, Cell b);
   [[nodiscard]] bool is_in_range(double result) const;
   Cell in_range(double result);
   Cell integer_operation(OpCode op, double a, double b);
