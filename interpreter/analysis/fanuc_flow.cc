@@ -65,7 +65,6 @@ class FanucTranslation {
   [[nodiscard]] std::optional<double> constant_value(Index code) const;
   [[nodiscard]] std::optional<bool> constant_condition(const Step& step) const;
   [[nodiscard]] const Word* last_word(const syntax::Block& block, char letter) const;
-  [[nodiscard]] syntax::ShortSpan without_comment(syntax::ShortSpan word) const;
 
   const fanuc::CompiledProgram& program_;
   const fanuc::Profile& profile_;
@@ -100,8 +99,7 @@ void FanucTranslation::step(Index index) {
   }
   const WordFindings words = step.kind == BlockKind::Nc ? words_.judge(block) : WordFindings();
   for (const LostPoint& lost : words.lost_points) {
-    builder_.fault(
-        {Fault::Kind::LostPoint, 0, without_comment(lost.where), lost.message, lost.remedy});
+    builder_.fault({Fault::Kind::LostPoint, 0, lost.where, lost.message, lost.remedy});
   }
   if (step.kind == BlockKind::Bad) {
     const syntax::SyntaxError& error = program_.errors[static_cast<std::size_t>(step.number)];
@@ -222,14 +220,6 @@ const Word* FanucTranslation::last_word(const syntax::Block& block, char letter)
     found = program_.tree->words[i].letter == letter ? &program_.tree->words[i] : found;
   }
   return found;
-}
-
-/// A word reaches as far as the next one.
-syntax::ShortSpan FanucTranslation::without_comment(syntax::ShortSpan word) const {
-  const std::string_view text = program_.file->text().substr(word.begin, word.end - word.begin);
-  const std::size_t last = text.substr(0, text.find('(')).find_last_not_of(" \t\r");
-  return {word.begin,
-          last == text.npos ? word.end : word.begin + static_cast<std::uint32_t>(last) + 1};
 }
 
 /// Ends and calls; of several calls in a block the first counts.

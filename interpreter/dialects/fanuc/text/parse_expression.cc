@@ -337,13 +337,15 @@ Index ExpressionParser::function() {
   if (!close_bracket(bracket)) {
     return kNone;
   }
+  node.span = {begin, scanner_.position()};
   if (arguments == Arguments::OneOrTwo && node.b == kNone && scanner_.accept('/')) {
     node.op = Operator::Divide;
     node.b = bracketed();
+    node.span.end = scanner_.position();
   } else if (arguments == Arguments::Parameter && scanner_.accept('/')) {
     node.c = bracketed();
+    node.span.end = scanner_.position();
   }
-  node.span = {begin, scanner_.position()};
   return error_ ? kNone : add(node);
 }
 

@@ -58,11 +58,10 @@ void Parser::keyword(Block& block) {
 /// SETVN n[NAME,NAME]: the names stay text; the run gives them (MB-104).
 void Parser::set_names(Block& block) {
   block.kind = BlockKind::SetNames;
-  const auto first = integer("SETVN needs the number of a common variable");
-  if (!first) {
+  block.number = integer("SETVN needs the number of a common variable");
+  if (block.number < 0) {
     return;
   }
-  block.number = *first;
   if (!scanner_.accept('[')) {
     fail(AlarmId::NameFormat, "names in brackets are expected here");
     return;

@@ -84,15 +84,15 @@ bool Parser::program_number(Block& block) {
   }
   const std::uint32_t begin = scanner_.position();
   scanner_.step();
-  const auto number = integer("a program number is O and 1 to 8 digits");
-  if (!number) {
+  const std::int32_t number = integer("a program number is O and 1 to 8 digits");
+  if (number < 0) {
     block.kind = BlockKind::Bad;
     if (tree_.programs.empty()) {
       open_program(0, {begin, begin});
     }
     return true;
   }
-  open_program(*number, {begin, scanner_.position()});
+  open_program(number, {begin, scanner_.position()});
   return true;
 }
 
@@ -111,18 +111,19 @@ bool Parser::program_name(Block& block) {
   return true;
 }
 
-std::optional<std::int32_t> Parser::integer(const char* what) {
+/// @returns -1 after a failure: an optional would wait for its parts
+std::int32_t Parser::integer(const char* what) {
   if (const std::int32_t plain = scanner_.plain_integer(); plain >= 0) {
     return plain;
   }
   const auto found = scanner_.number();
   if (!found || found->has_point) {
     fail(found ? AlarmId::IllegalPoint : AlarmId::NoDataAfterAddress, what);
-    return std::nullopt;
+    return -1;
   }
   if (found->value > static_cast<double>(kLargestInteger)) {
     fail(AlarmId::TooManyDigits, what);
-    return std::nullopt;
+    return -1;
   }
   return static_cast<std::int32_t>(found->value);
 }
@@ -144,12 +145,11 @@ void Parser::head(Block& block) {
       block.skip_switch = switch_number();
     } else if (scanner_.peek() == 'N' && block.sequence < 0) {
       scanner_.step();
-      const auto number = integer("a sequence number is N and digits, without variables");
-      if (!number) {
+      block.sequence = integer("a sequence number is N and digits, without variables");
+      if (block.sequence < 0) {
         block.kind = BlockKind::Bad;
         return;
       }
-      block.sequence = *number;
     } else {
       return;
     }
@@ -291,10 +291,13 @@ void Parser::word_value(Word& word) {
       negate.span = tree_.exprs[word.expr].span;
       word.expr = expressions_.add(negate);
     }
+    const std::uint32_t end = scanner_.position();
     if (word.expr != kNone &&
         std::string_view("+-*").find(scanner_.peek()) != std::string_view::npos) {
       word.is_bare = true;
       word.expr = expressions_.continued(word.expr);
+    } else {
+      scanner_.rewind(end);  // what stands behind it is no part of it
     }
     return;
   }

@@ -60,7 +60,7 @@ class Parser {
   void output_statement(syntax::Block& block, OutputStatement statement);
   int loop_number();
   syntax::Index condition();
-  std::optional<std::int32_t> integer(const char* what);
+  std::int32_t integer(const char* what);
   void expect_end(syntax::Block& block);
   void open_program(std::int32_t number, syntax::ShortSpan name);
   void close_program();

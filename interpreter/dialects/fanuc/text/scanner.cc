@@ -19,6 +19,10 @@ constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }
 
+constexpr bool counts_for_nothing(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\0';
+}
+
 /// Steps over a blank, and over the CR of a line end.  @returns whether nothing that would belong
 /// to a number follows: a digit or a point behind a blank would
 bool ends_plainly(std::string_view text, std::size_t& at) {
@@ -65,7 +69,7 @@ std::string digit_count(std::uint8_t digits) {
 char Scanner::peek_behind_blanks() {
   while (at_ < text_.size()) {
     const char c = text_[at_];
-    if (c == ' ' || c == '\t' || c == '\r' || c == '\0') {
+    if (counts_for_nothing(c)) {
       ++at_;
     } else if (c == '(') {
       skip_comment();
@@ -123,8 +127,11 @@ void Scanner::skip_leader() {
 }
 
 bool Scanner::at_tape_end() const {
-  const std::size_t next = text_.find_first_not_of(" \t\r\0", at_, 4);
-  return next != std::string_view::npos && text_[next] == '%';
+  std::size_t next = at_;
+  while (next < text_.size() && counts_for_nothing(text_[next])) {
+    ++next;
+  }
+  return next < text_.size() && text_[next] == '%';
 }
 
 void Scanner::skip_block() {
@@ -159,6 +166,7 @@ std::optional<ScannedNumber> Scanner::number() {
   int digits = 0;
   int before_point = 0;
   bool has_point = false;
+  std::size_t end = at_;
   for (bool goes_on = true; goes_on; goes_on = number_goes_on(has_point)) {
     std::size_t at = at_;  // kept out of memory while digits follow
     syntax::take_digits(text_, at, mantissa);
@@ -169,7 +177,9 @@ std::optional<ScannedNumber> Scanner::number() {
       before_point = digits;
       ++at_;
     }
+    end = at_;
   }
+  at_ = end;  // what stands behind it is no part of it
   if (digits == 0) {
     rewind(static_cast<std::uint32_t>(begin));
     return std::nullopt;
@@ -220,7 +230,8 @@ void Scanner::plain_words(std::vector<syntax::Word>& words) {
     if (has_point) {
       syntax::take_digits(text, at, mantissa);
     }
-    const std::size_t decimals = at - behind_point;
+    const std::size_t end = at;
+    const std::size_t decimals = end - behind_point;
     digits += decimals;
     if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text, at)) {
       at = begin;
@@ -233,7 +244,7 @@ void Scanner::plain_words(std::vector<syntax::Word>& words) {
     word.digits = static_cast<std::uint8_t>(digits);
     word.decimals = static_cast<std::uint8_t>(decimals);
     word.number = is_negative ? -value : value;
-    word.span = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at)};
+    word.span = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
   }
   at_ = at;
 }
