@@ -218,10 +218,21 @@ std::vector<source::Location> MissedTouches::ends() {
       left.add(owed);
     }
   }
-  if (last_ && !is_last_read_) {
-    left.add(*last_, missed_count_);
-  }
+  add_unread(left);
   return told(left);
+}
+
+std::vector<source::Location> MissedTouches::breaks_off() {
+  Moves left;
+  add_unread(left);
+  return told(left);
+}
+
+/// The last move, when nothing was made of it.
+void MissedTouches::add_unread(Moves& moves) const {
+  if (last_ && !is_last_read_) {
+    moves.add(*last_, missed_count_);
+  }
 }
 
 void MissedTouches::settle(const Moves& moves) {

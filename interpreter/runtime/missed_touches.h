@@ -112,6 +112,9 @@ class MissedTouches {
   /// The end of the program.  @returns the moves whose result is left in a variable, and the last
   /// one when nothing was made of it
   std::vector<source::Location> ends();
+  /// The program is broken off: it may still have looked at what it keeps.  @returns the last move
+  /// when nothing was made of it
+  std::vector<source::Location> breaks_off();
 
   bool operator==(const MissedTouches&) const = default;
 
@@ -159,6 +162,7 @@ class MissedTouches {
   }
   void settle(const Moves& moves);
   void excuse(const Moves& moves);
+  void add_unread(Moves& moves) const;
   std::vector<source::Location> told(const Moves& moves);
   void end_statement();
   void count();

@@ -27,6 +27,11 @@ enum class Status {
   Defect,       ///< of g31 itself
 };
 
+/// Whether the program has broken off by what it did.
+constexpr bool breaks_off(Status status) {
+  return status == Status::Alarm || status == Status::Collision;
+}
+
 /// How long a run may last, and how much it may put out.
 struct Budget {
   std::uint64_t blocks = 50'000'000;

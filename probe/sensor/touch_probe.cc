@@ -56,9 +56,10 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   machine::SensorState state;
   state.in_place = is_in_place_;
   state.switched_on = is_on();
-  const bool is_told = setup_.switching.is_up_to_program() && !setup_.switching.may_turn;
+  const bool may_turn = setup_.switching.may_turn;
+  const bool is_told = setup_.switching.is_up_to_program() && !may_turn;
   state.stands = !spindle_.turns() || !is_told;
-  state.angle_known = spindle_.is_angle_known() || is_round();
+  state.angle_known = is_round() || (spindle_.turns() ? may_turn : spindle_.is_angle_known());
   state.ball_radius_mm = balls_.front().radius;
   state.delay_s = setup_.trigger_delay_s;
   state.calibrated_feed_mm_min = setup_.calibrated_feed_mm_min;

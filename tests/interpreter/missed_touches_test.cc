@@ -68,6 +68,17 @@ TEST(MissedTouches, OfMovesThatNobodyReadsTheLastAloneIsOwed) {
   EXPECT_FALSE(missed.any());
 }
 
+TEST(MissedTouches, OfAProgramThatIsBrokenOffTheLastAloneIsOwedIfNothingReadIt) {
+  MissedTouches missed;
+  miss_into(missed, 10, 1);
+  EXPECT_TRUE(missed.breaks_off().empty()) << "it may still have been compared";
+  missed.missed(at(20), {});
+  EXPECT_EQ(missed.breaks_off(), std::vector{at(20)});
+  missed.missed(at(30), {});
+  missed.touched();
+  EXPECT_TRUE(missed.breaks_off().empty());
+}
+
 TEST(MissedTouches, WhatIsOverwrittenOrForgottenIsNotOwed) {
   MissedTouches missed;
   miss_into(missed, 10, 5);

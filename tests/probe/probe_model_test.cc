@@ -131,6 +131,7 @@ TEST(ProbeModel, ASpindleThatHasTurnedStandsWhereTheSeedDraws) {
       one->take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
       ASSERT_TRUE(one->sensor_state(1)->angle_known);  // it has not turned
       one->take(machine::SpindleTurn{machine::Rotation::Clockwise, 500.0, {}});
+      ASSERT_FALSE(one->sensor_state(1)->angle_known);
       one->take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
       ASSERT_FALSE(one->sensor_state(1)->angle_known);
     }

@@ -344,6 +344,22 @@ TEST(EdgeAngleCycle, ARotaryTableTakesTheAngleAndTheEdgeIsStraightAgain) {
       1e-5);
 }
 
+// The rear of the part looks up, and its edge is turned about what is C's axis there.
+TEST(EdgeAngleCycle, ASwivelledTableTakesTheAngleWithTheAxisThatTurnsThePlane) {
+  const std::string table =
+      "[machine]\nfile = \"five_axis_ac.toml\"\n"
+      "[work_offsets.G54]\nX = 40.0\nY = -25.0\nZ = -380.0\n" +
+      part("block", 40.0, -25.0, -380.0, "height = 60.0\nrotate_deg = [0.0, 0.0, 1.7]");
+  const std::string program =
+      "CYCLE800(0,\"\",100000,39,0,0,0,0,-90,0,0,0,0,-1)\nG0 X-15 Y20\nZ50\nZ35\n"
+      "CYCLE998(100105,9000,{},1,1,0,,10,5,103,2,30)";
+  expect_measured(fmt::format(fmt::runtime(program), 6), {table, kCalibrated},
+                  {{"$P_UIFR[1,C,TR]", 1.7}, {"$P_UIFR[1,Z,RT]", 0.0}}, 1e-5);
+  const MeasuringRun of_other_axis =
+      run_measuring(fmt::format(fmt::runtime(program), 4), {table, kCalibrated}, {});
+  EXPECT_EQ(of_other_axis.alarm(), 61403);
+}
+
 // A block turned by 2 degrees about X, then by -3 about Y: R = Ry Rx, as the angles of a frame
 // count.
 TEST(PlaneAngleCycle, AnglesByThreePoints) {

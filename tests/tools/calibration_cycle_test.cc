@@ -251,6 +251,24 @@ TEST(CalibrationCycle, ACalibratedProbeReadsTrueSizes) {
   }
 }
 
+// A probe on three seats triggers differently all around: what is found in a ring and then used in
+// the same directions leaves nothing of it, however the coordinates and the first touch are turned.
+TEST(CalibrationCycle, LobesCancelInTheDirectionsThatWereCalibrated) {
+  const std::string ring = part("ring", 100.0, 50.0, -300.0, "bore = 40.0");
+  const std::string tripod =
+      "[probe]\nseats = \"tripod\"\ntrigger_force = 0.5\nstem_stiffness = 10.0\n"
+      "weak_direction_deg = 30.0\n";
+  const std::string program =
+      "Z-5\nROT RPL={0}\nCYCLE976(100002,1,40,,,,5,5,,{1})\nCYCLE977(1,,,1,40,,,5,5,{1})";
+  for (const double turned : {0.0, 20.0, 30.0, 60.0, 90.0, 115.0, 330.0}) {
+    for (const double start_angle : {0.0, 10.0, -31.0}) {
+      SCOPED_TRACE(fmt::format("turned by {}, from {}", turned, start_angle));
+      expect_measured(fmt::format(fmt::runtime(program), turned, start_angle), {ring, tripod},
+                      {{"_OVR[4]", 40.0}});
+    }
+  }
+}
+
 TEST(CalibrationCycle, AnotherFeedMakesTheOldValuesWorthless) {
   const std::string twice =
       "X0.2 Y-0.3 Z-5\nCYCLE976(2001,1,40,,1,,5,5,300)\nCYCLE976(2001,1,40,,2,,5,5,{})";

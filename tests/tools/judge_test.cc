@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -63,6 +64,45 @@ TEST(Judge, ComparesWithTheDesign) {
        "tolerance": [-0.05, 0.05], "verdict": "bad"},
       {"id": "F1.X.place", "nominal": -3.0, "actual": null, "deviation": null,
        "tolerance": [-0.1, 0.1], "verdict": "missing"}]})"));
+}
+
+const char* const kMeasure = R"({"id": "F1.X", "nominal": 40.0})";
+
+TEST(Judge, TakesTheDocumentOfARunForWhatItsProgramPrinted) {
+  const JudgeOutput printed = judge(
+      R"({"schema": "g31.run/1", "output": "%\nF1-X 40.5\n%\n", "files": {"LOG": "F1-X 41.0"}})",
+      kMeasure);
+  EXPECT_EQ(printed.errors, "");
+  EXPECT_EQ(printed.rows().at(0).at("actual"), 40.5);
+  const JudgeOutput written =
+      judge(R"({"schema": "g31.run/1", "output": "", "files": {"RESULTS.MPF": "\nF1.X=41\n"}})",
+            kMeasure);
+  EXPECT_EQ(written.errors, "");
+  EXPECT_EQ(written.rows().at(0).at("actual"), 41.0);
+}
+
+TEST(Judge, NamesThePlaceWithinTheDocumentOfARun) {
+  const JudgeOutput output =
+      judge(R"({"schema": "g31.run/1", "output": "", "files": {"LOG": "\nF9.X 1.0"}})", kMeasure);
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.errors.find("results.txt: LOG:2: warning: the plan has no measure"),
+            std::string::npos)
+      << output.errors;
+}
+
+TEST(Judge, RefusesDocumentsThatHoldNoResults) {
+  const std::pair<const char*, const char*> cases[] = {
+      {R"({"schema": "g31.plan/1"})", "expected a document with \"schema\": \"g31.run/1\""},
+      {R"({"schema": "g31.run/1", "output": ""})", "its program printed nothing and wrote no file"},
+      {R"({"schema": "g31.run/1", "output": "", "files": {"A": "F1.X 1", "B": ""}})",
+       "wrote several files: A, B; expected one file of results"},
+      {R"({"schema": "g31.run/1", "output": 3, "files": 4})", "its program printed nothing"},
+      {"{\n  \"schema\": ", "results.txt:2:13: no JSON from here on"}};
+  for (const auto& [document, why] : cases) {
+    const JudgeOutput output = judge(document, kMeasure);
+    EXPECT_EQ(output.exit_code, 2) << document;
+    EXPECT_NE(output.errors.find(why), std::string::npos) << output.errors;
+  }
 }
 
 TEST(Judge, IsContentWhenAllAreGood) {

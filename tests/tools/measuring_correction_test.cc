@@ -420,6 +420,7 @@ TEST(MeasuringAlarms, AreTheCyclesOwnAndNothingIsCorrected) {
       {"no path", "CYCLE978(100,1,,1,-30,0,1,1,1)", 61308},
       {"a mill", "T2 M6\nCYCLE978(100,1,,1,-30,5,1,1,1)", 61309},
       {"a scaled offset", "$P_UIFR[1,X,SC]=2\nG54\nCYCLE978(100,1,,1,-30,5,1,1,1)", 61310},
+      {"a scaled third axis", "SCALE Z2\nCYCLE978(100,1,,1,-30,5,1,1,1)", 61310},
       {"no such record", "CYCLE978(100,1,,99,-30,5,1,1,1)", 61313},
       {"no such work offset", "X-40\nZ-5\nCYCLE978(100,4001,,1,-30,5,1,1,1)", 61321},
       {"no such basic frame", "X-40\nZ-5\nCYCLE978(100,1017,,1,-30,5,1,1,1)", 61321},

@@ -438,6 +438,17 @@ file = "ring.stl"
   EXPECT_EQ(read.skip_signals->size(), 1U) << "a list that is not given stays";
 }
 
+TEST_F(SetupReader, AVariableIsTheSameInSmallLettersAndInCapitals) {
+  const Job both =
+      job({"[variables]\nr1 = 7\n\"_ovr[3]\" = 1\n", "[variables]\nR1 = 6\n\"_OVR[3]\" = 2\n"});
+  EXPECT_EQ(both.control.variables,
+            (std::map<std::string, std::optional<double>>{{"r1", 6.0}, {"_ovr[3]", 2.0}}));
+  const std::string twice = errors_of(read({"[variables]\nR1 = 1\nr01 = 2\n"}));
+  EXPECT_NE(twice.find(":3:1: error: variables.r01 is given twice in this sheet [SET108]"),
+            std::string::npos)
+      << twice;
+}
+
 TEST_F(SetupReader, MachineFileIsReadFirstWhereverItsKeysStand) {
   for (const std::string header : {"", "[machine]\n"}) {
     SCOPED_TRACE(header);

@@ -70,6 +70,9 @@ TEST(SetupCommand, SaysWhichVariablesNoProgramReads) {
                                           "O1\nG90 G54 G43 H1 G0 X50. Z-10.\n"
                                           "G31 X20. F#[500+#1]\nM30\n");
   EXPECT_FALSE(has(computed, "SUP109")) << computed.out << "any of them may be read";
+  const CommandOutput in_small_letters = reviewed(
+      "[control]\nprofile = \"sinumerik-828d\"\n[variables]\nr1 = 5.0\nr2 = 5.0\n", "R3=R1\nM30\n");
+  EXPECT_TRUE(has(in_small_letters, "sheets: r2 [SUP109]")) << in_small_letters.out;
 }
 
 // X goes from 0 to 500, Y from -200 to 200, Z from 0 to 400.
@@ -165,6 +168,11 @@ TEST(SetupCommand, TellsProbesWhoseLengthTheControlDoesNotKnow) {
   EXPECT_TRUE(has(output, "note: no tool of [tools] is as long as the probe: 120.000 mm [SUP105]"))
       << output.out;
   EXPECT_EQ(output.exit_code, 0) << "a note";
+  for (const char* const length : {"120.0", "123.0"}) {  // to the middle of the ball, to its end
+    const CommandOutput known = reviewed("[tools.1]\nlength = " + std::string(length) +
+                                         "\n[probe]\nball_diameter = 6.0\nlength = 120.0\n");
+    EXPECT_FALSE(has(known, "SUP105")) << known.out;
+  }
 }
 
 TEST(SetupCommand, TellsParametersWithoutEffectAndLostVariables) {

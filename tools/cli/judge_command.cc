@@ -18,10 +18,9 @@ namespace {
 
 constexpr InputLimit kLargestPlan{64'000'000, "a plan of g31 plan is far smaller"};
 
-void print_remarks(const std::string& results, const plan::Judgement& judgement) {
+void print_remarks(const std::string& from, const plan::Judgement& judgement) {
   for (const plan::Remark& remark : judgement.remarks) {
-    std::fputs(fmt::format("{}:{}: warning: {}\n", results, remark.line, remark.text).c_str(),
-               stderr);
+    std::fputs(fmt::format("{}:{}: warning: {}\n", from, remark.line, remark.text).c_str(), stderr);
   }
 }
 
@@ -52,8 +51,8 @@ ExitCode judge_command(const JudgeOptions& options) {
   if (!results) {
     return refused(results.error());
   }
-  const plan::Judgement judgement = plan::judged(measures.value(), results.value());
-  print_remarks(options.results, judgement);
+  const plan::Judgement judgement = plan::judged(measures.value(), results.value().text);
+  print_remarks(results.value().from, judgement);
   if (const auto wrong = write_result(
           options.json, [&] { return plan::judgement_table(judgement); },
           [&] { return plan::judgement_document(judgement); })) {

@@ -18,9 +18,11 @@ CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
       ->type_name("FILE")
       ->required();
   command
-      ->add_option("RESULTS", options.results,
-                   "lines of names and values: a file, - for standard input, or a serial line as "
-                   "DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
+      ->add_option(
+          "RESULTS", options.results,
+          "lines of names and values, or a document g31.run/1 whose program printed them or "
+          "wrote them into one file: a file, - for standard input, or a serial line as "
+          "DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
       ->type_name("FILE")
       ->required();
   command->add_option("--json", options.json, "the judgement as a document; - is standard output")
@@ -43,6 +45,7 @@ std::string judge_examples() {
          "  g31 run inspect.nc -s setup.toml --printer results.txt\n"
          "  g31 judge plan.json results.txt\n"
          "  g31 judge plan.json results.txt --json judgement.json\n"
+         "  g31 run INSPECT.MPF -s setup.toml --json run.json; g31 judge plan.json run.json\n"
          "  g31 judge plan.json /dev/ttyS0,4800,e,7,2 --wait 300\n\n";
 }
 

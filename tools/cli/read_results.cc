@@ -28,9 +28,9 @@ bool has_all(const std::string& text, const std::vector<plan::Measure>& measures
          plan::count(plan::judged(measures, text.substr(0, whole)), plan::Verdict::Missing) == 0;
 }
 
-Result<std::string, session::Refusal> received(const JudgeOptions& options,
-                                               const printer::LineSpec& line,
-                                               const std::vector<plan::Measure>& measures) {
+Result<plan::PrintedResults, session::Refusal> received(
+    const JudgeOptions& options, const printer::LineSpec& line,
+    const std::vector<plan::Measure>& measures) {
   auto port = printer::open_serial_port(line);
   if (!port) {
     return session::bad_input(fmt::format("{}: {}", options.results, port.error()));
@@ -63,22 +63,25 @@ Result<std::string, session::Refusal> received(const JudgeOptions& options,
                                             kMostReceived, kLargestPrintout.advice));
     }
   }
-  return printer::decoded(bytes, line);
+  return plan::PrintedResults{options.results, printer::decoded(bytes, line)};
 }
 
 }  // namespace
 
-Result<std::string, session::Refusal> read_results(const JudgeOptions& options,
-                                                   const std::vector<plan::Measure>& measures,
-                                                   disk::Disk& disk) {
+Result<plan::PrintedResults, session::Refusal> read_results(
+    const JudgeOptions& options, const std::vector<plan::Measure>& measures, disk::Disk& disk) {
   if (printer::names_a_line(options.results)) {
     const auto line = printer::parse_line_spec(options.results);
     return line ? received(options, line.value(), measures)
                 : session::bad_input(fmt::format("{}: {}", options.results, line.error()));
   }
   const auto bytes = read_input(disk, options.results, kLargestPrintout);
-  return bytes ? Result<std::string, session::Refusal>(printer::printed_text(bytes.value()))
-               : bytes.error();
+  if (!bytes) {
+    return bytes.error();
+  }
+  auto results = plan::printed_results(options.results, printer::printed_text(bytes.value()));
+  return results ? Result<plan::PrintedResults, session::Refusal>(std::move(results.value()))
+                 : session::bad_input(results.error());
 }
 
 }  // namespace g31::cli

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "machine/base/json_nesting.h"
+#include "tools/plan/json_document.h"
 
 namespace g31::plan {
 namespace {
@@ -18,33 +18,6 @@ using Problem = std::optional<std::string>;
 
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kMostMeasures = 100'000;
-
-/// "NAME:LINE:COLUMN", columns in bytes.
-std::string place_of(const std::string& name, std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const auto line = std::ranges::count(before, '\n') + 1;
-  const std::size_t begin = before.rfind('\n') + 1;  // npos + 1 is 0
-  return fmt::format("{}:{}:{}", name, line, before.size() - begin + 1);
-}
-
-Problem parse(const std::string& name, std::string_view text, PlanJson& document) {
-  if (nests_too_deep(text)) {
-    return fmt::format(
-        "{}: lists stand more than {} deep inside one another; expected a plan.json "
-        "of g31 plan",
-        name, kDeepestJson);
-  }
-  try {
-    document = PlanJson::parse(text);
-  } catch (const PlanJson::parse_error& error) {
-    return fmt::format("{}: no JSON from here on; expected a whole plan.json of g31 plan",
-                       place_of(name, text, error.byte));
-  } catch (const PlanJson::exception&) {
-    return fmt::format("{}: it holds a number that is too large; lengths are up to {} mm", name,
-                       kLongestMm);
-  }
-  return std::nullopt;
-}
 
 Problem read_length(const PlanJson& value, double& length) {
   if (!value.is_number() || !(std::abs(value.get<double>()) <= kLongestMm)) {
@@ -118,10 +91,11 @@ std::string printed_name(std::string_view id) {
 
 Result<std::vector<Measure>, std::string> read_measures(const std::string& name,
                                                         std::string_view text) {
-  PlanJson document;
-  if (auto wrong = parse(name, text, document)) {
-    return *std::move(wrong);
+  const auto read = json_document(name, text, "a whole plan.json of g31 plan");
+  if (!read) {
+    return read.error();
   }
+  const PlanJson& document = read.value();
   if (!document.is_object() || document.value("schema", PlanJson()) != "g31.plan/1") {
     return fmt::format("{}: expected a document with \"schema\": \"g31.plan/1\"", name);
   }

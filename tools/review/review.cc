@@ -113,8 +113,11 @@ void judge_lengths(const setup::Job& job, std::vector<source::Diagnostic>& findi
   }
   constexpr double kSameMm = 1.0;
   const double length = -job.machine.p_T_tip.z();
+  const double to_ball_end = length + 0.5 * job.probe->ball_diameter_mm;
+  // Controls count to the middle of the ball or to its end.
   const bool is_known = std::ranges::any_of(tools, [&](const auto& tool) {
-    return std::abs(tool.second.length_mm + tool.second.length_wear_mm - length) < kSameMm;
+    const double believed = tool.second.length_mm + tool.second.length_wear_mm;
+    return std::abs(believed - length) < kSameMm || std::abs(believed - to_ball_end) < kSameMm;
   });
   if (!is_known) {
     findings.push_back(finding_of(SetupRuleId::OtherLength, fmt::format("{:.3f} mm", length)));

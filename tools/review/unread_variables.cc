@@ -70,11 +70,12 @@ class ReadVariables {
     }
   }
 
-  /// @param name  as sheets have it: "#500", "R5", "_OVR[4]"
-  [[nodiscard]] bool has(const std::string& name) const {
+  /// @param written  as sheets have it: "#500", "R5", "_OVR[4]"
+  [[nodiscard]] bool has(const std::string& written) const {
     if (is_computed_) {
       return true;
     }
+    const std::string name = setup::in_capitals(written);
     int number = 0;
     const auto end = std::from_chars(name.data() + 1, name.data() + name.size(), number);
     if (name.starts_with('R') && end.ec == std::errc() && end.ptr == name.data() + name.size()) {

@@ -9,6 +9,7 @@
 #include "tools/setup/check_value.h"
 #include "tools/setup/document.h"
 #include "tools/setup/keys.h"
+#include "tools/setup/variable_name.h"
 
 namespace g31::setup {
 
@@ -21,7 +22,7 @@ struct Entry {
 /// One table of a sheet: its checked keys by name.
 struct SheetTable {
   Location where;
-  std::map<std::string, Entry> entries;
+  std::map<std::string, Entry, InAnyCase> entries;
   /// Of a list within the elements of a list ([[tool.body]]): the element that it is in, from 0.
   std::size_t of = 0;
   bool is_whole = true;  ///< no value of it was refused

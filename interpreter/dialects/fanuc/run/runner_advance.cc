@@ -102,6 +102,9 @@ void Runner::end(const MaybeFailure& reason) {
   is_over_ = true;
   is_paused_ = false;
   if (const MaybeFailure failure = come_to_rest(reason)) {
+    if (runtime::breaks_off(failure->status)) {
+      control_.report_unread_miss();
+    }
     outcome_ = outcome_of(*failure);
   } else {
     control_.report_missed_touches();

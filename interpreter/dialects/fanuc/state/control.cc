@@ -110,6 +110,10 @@ void Control::report_missed_touches() {
   warnings_.add_missed(diagnostics, touches.missed.ends());
 }
 
+void Control::report_unread_miss() {
+  warnings_.add_missed(diagnostics, touches.missed.breaks_off());
+}
+
 void Control::report_stopped_skip() {
   if (stopped_skip) {
     warn(source::DiagnosticId::ProtectedMoveStopped, *stopped_skip);

@@ -70,6 +70,8 @@ struct Control : ControlState {
   void use_measured();
   /// The end of the program.
   void report_missed_touches();
+  /// The program is broken off.
+  void report_unread_miss();
 
   /// Where the program is now, for reports from inside an expression.
   std::function<source::Location()> here;

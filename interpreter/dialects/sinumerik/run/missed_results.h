@@ -40,6 +40,8 @@ class MissedResults {
   void forget(std::span<const double> cells);
   /// The end of the program: variables of called ones are nowhere.
   void end();
+  /// The program is broken off.
+  void break_off();
 
  private:
   /// Where a number is, the same in every run; 0: a constant.

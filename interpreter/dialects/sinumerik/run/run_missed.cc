@@ -278,4 +278,8 @@ void MissedResults::end() {
   channel_.warnings.add_missed(channel_.diagnostics, missed_.ends());
 }
 
+void MissedResults::break_off() {
+  channel_.warnings.add_missed(channel_.diagnostics, missed_.breaks_off());
+}
+
 }  // namespace g31::sinumerik

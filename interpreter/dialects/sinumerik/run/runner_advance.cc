@@ -98,6 +98,9 @@ void Runner::end(const MaybeFailure& reason) {
   is_over_ = true;
   is_paused_ = false;
   if (const MaybeFailure failure = come_to_rest(reason)) {
+    if (runtime::breaks_off(failure->status)) {
+      missed_.break_off();
+    }
     outcome_ = outcome_of(*failure);
     drop_motion(channel_);
   } else {
