@@ -83,6 +83,22 @@ TEST(DataFiles, OfInstrumentsAreRead) {
   }
 }
 
+// A jump of the record is no error of the circle, but it is told.
+TEST(DataFiles, SamplesOffTheCircleAreTold) {
+  const std::string rows = "t,X,Y\n" + circle_rows(",", "\n");
+  EXPECT_EQ(evaluate_text(rows, of_circle()).errors.find("do not count"), std::string::npos);
+  std::string jump = rows;
+  const std::size_t line = jump.find("0.100,");
+  jump.replace(line, jump.find('\n', line) - line, "0.100,3.0,15.5");  // 1.5 mm off
+  const EvaluateOutput output = evaluate_text(jump, of_circle());
+  EXPECT_EQ(output.exit_code, 0);
+  const std::string notes = output.document.at("notes").dump();
+  EXPECT_NE(notes.find("1 of 721 samples lie between pieces of the circle, up to 1.500 mm off it, "
+                       "and do not count"),
+            std::string::npos)
+      << notes;
+}
+
 TEST(DataFiles, AreRefusedWithTheLine) {
   const std::string head = "t,X,Y\n0,1,2\n0.1,1,2\n";
   struct Case {
@@ -115,6 +131,9 @@ TEST(DataFiles, AreRefusedWithTheLine) {
        "data.csv: error: this is UTF-16 text, two bytes a character; save it as UTF-8 [DAT115]"},
       {"UTF-16, high byte first", std::string("\xFE\xFF\0t\0,", 6), "[DAT115]"},
       {"UTF-16 without a mark", std::string("t\0,\0X\0", 6), "[DAT115]"},
+      {"two decimal marks", "t;X;Y\n0;1,5;2\n0,1;1.000;2\n",
+       "data.csv:3:5: error: X is not a number: 1.000 has another decimal mark than a number "
+       "before"},
       {"a sentinel", head + "0.2,9999999999,2\n", "data.csv:4:5: error: X is out of range"},
       {"a short row", head + "0.2,1\n",
        "data.csv:4:6: error: a short row: it has 2 values for 3 columns [DAT105]"},

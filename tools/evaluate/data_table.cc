@@ -234,6 +234,16 @@ class TableReader {
     return std::nullopt;
   }
 
+  /// Whether a number has the decimal mark of those before, if it has one.
+  bool is_as_before(std::string_view number) {
+    const std::size_t at = number.find_first_of(",.");
+    if (at == number.npos) {
+      return true;
+    }
+    decimal_mark_ = decimal_mark_ == '\0' ? number[at] : decimal_mark_;
+    return number[at] == decimal_mark_;
+  }
+
   std::optional<DataError> take(std::size_t i, std::string_view field) {
     const std::string_view text = bare(field);
     const WantedColumn& column = wanted_[i];
@@ -247,6 +257,12 @@ class TableReader {
     if (!number || std::isnan(*number)) {
       return data_error(DataErrorId::NoNumber, file_, where(),
                         {column.name, text.empty() ? "there is nothing" : text});
+    }
+    if (separator_ != ',' && !is_as_before(text)) {
+      return data_error(DataErrorId::NoNumber, file_, where(),
+                        {column.name, fmt::format("{} has another decimal mark than a number "
+                                                  "before, and may mean a thousand times that",
+                                                  text)});
     }
     const bool is_length = column.kind == ColumnKind::Length;
     const double value = is_length ? *number * rules_.mm_per_unit : *number;
@@ -268,8 +284,9 @@ class TableReader {
   DataTable table_;
   std::vector<int> wanted_at_;  // by column of the file: index of the wanted one, or -1
   char separator_ = ',';
-  std::size_t offset_ = 0;  // of the next line
-  std::size_t begin_ = 0;   // of this line
+  char decimal_mark_ = '\0';  // of the first number that has one
+  std::size_t offset_ = 0;    // of the next line
+  std::size_t begin_ = 0;     // of this line
   std::size_t number_ = 0;
   std::string_view line_;
 };

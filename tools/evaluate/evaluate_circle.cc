@@ -121,8 +121,34 @@ std::vector<Curve> curves_of(const metrology::CircleEvaluation& circle,
   return {std::move(ccw), std::move(cw)};
 }
 
+/// What lies between two turns the same way round and off the circle: a jump of the record, or a
+/// way to the middle and back.
+std::optional<std::string> note_of_strays(const metrology::CircleEvaluation& circle,
+                                          const metrology::PlaneSamples& samples) {
+  std::size_t strays = 0;
+  double furthest = 0.0;
+  for (std::size_t turn = 1; turn < circle.turns.size(); ++turn) {
+    const metrology::CircleTurn& before = circle.turns[turn - 1];
+    const metrology::CircleTurn& behind = circle.turns[turn];
+    if (before.direction != behind.direction) {
+      continue;
+    }
+    strays += behind.begin - before.end;
+    for (std::size_t i = before.end; i < behind.begin; ++i) {
+      const Eigen::Vector2d q = samples.at(i) - circle.reference.centre;
+      furthest = std::max(furthest, std::abs(q.norm() - circle.reference.radius));
+    }
+  }
+  return strays > 0 ? std::optional(fmt::format(
+                          "{} of {} samples lie between pieces of the circle, up to {:.3f} mm off "
+                          "it, and do not count",
+                          strays, samples.size(), furthest))
+                    : std::nullopt;
+}
+
 std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, const Request& request,
-                                  std::size_t samples) {
+                                  const metrology::PlaneSamples& plane_samples) {
+  const std::size_t samples = plane_samples.size();
   std::vector<std::string> notes;
   std::size_t on_circle = 0;
   for (const metrology::CircleTurn& turn : circle.turns) {
@@ -132,6 +158,9 @@ std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, con
   if (on_circle + samples / 50 < samples) {
     notes.push_back(fmt::format("{} of {} samples lie on the circle, the others do not count",
                                 on_circle, samples));
+  }
+  if (auto strays = note_of_strays(circle, plane_samples)) {
+    notes.push_back(*std::move(strays));
   }
   if (!circle.fit.has_mismatch) {
     notes.emplace_back(
@@ -200,7 +229,7 @@ PathEvaluation evaluate_circle(const RecordedPath& path, const Request& request)
   if (request.wants_curves) {
     evaluation.curves = curves_of(circle.value(), samples);
   }
-  evaluation.notes = notes_of(circle.value(), request, samples.size());
+  evaluation.notes = notes_of(circle.value(), request, samples);
   if (request.wants_drawing) {
     evaluation.svg = drawing_of(circle.value(), samples, request, evaluation);
   }
