@@ -226,6 +226,26 @@ TEST_F(Plan, LeavesNoProgramOfAnEarlierPlanBesideIt) {
   EXPECT_FALSE(std::filesystem::exists(out("INSPECT.MPF")));
 }
 
+TEST_F(Plan, ReplacesNoFilesOfTheUser) {
+  std::filesystem::create_directory(folder_.path("out"));
+  for (const char* const name : {"setup.toml", "inspect.nc", "INSPECT.MPF"}) {
+    const std::string own = folder_.write(std::string("out/") + name, "mine");
+    const CommandOutput output = plan({kProduct, "--stock", "box"});
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_NE(output.errors.find(std::string(name) + " is there already"), std::string::npos)
+        << output.errors;
+    EXPECT_EQ(text_of(own), "mine");
+    std::filesystem::remove(own);
+  }
+}
+
+TEST_F(Plan, MakesTheFoldersOnTheWay) {
+  const CommandOutput output =
+      testing::g31({"plan", kProduct, "--stock", "box", "-o", folder_.path("new/and/out")});
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path("new/and/out/plan.json")));
+}
+
 // Of the block around a cylinder four corners are removed, all of no kind.
 TEST_F(Plan, WhatIsOfNoKindIsNamedAndTheRestIsWritten) {
   const std::string boss = folder_.write("boss.step", text_of("tests/parts/cylinder.step"));

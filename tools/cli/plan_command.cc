@@ -38,6 +38,8 @@ class FolderBeside {
     while (name.size() > 1 && name.ends_with('/')) {
       name.pop_back();
     }
+    std::error_code unmade;  // what is wrong then shows below
+    fs::create_directories(fs::path(name).parent_path(), unmade);
     name += ".g31-XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) {
       return session::bad_input(
@@ -158,9 +160,15 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
   return html;
 }
 
-/// Brings what was made where it is wanted.
+/// Brings what was made where it is wanted, once all of it is made.
 Wrong hand_over(const PlanOptions& options, const plan::PlannedPart& planned,
                 const std::string& document, const std::string& html, const FolderBeside& made) {
+  for (const auto& [name, text] : {std::pair("plan.html", &html), {"plan.json", &document}}) {
+    if (auto unwritten = write_out(made.path(name), *text)) {
+      replace_all(unwritten->message, made.path(), fs::path(options.folder).string());
+      return unwritten;
+    }
+  }
   std::error_code wrong;
   const fs::path folder(options.folder);
   fs::create_directories(folder, wrong);
@@ -171,18 +179,15 @@ Wrong hand_over(const PlanOptions& options, const plan::PlannedPart& planned,
       fs::remove(folder / earlier, wrong);
     }
   }
-  for (const std::string& name : {program, std::string(plan::kSheetFile)}) {
+  for (const std::string& name : {program, std::string(plan::kSheetFile), std::string("plan.html"),
+                                  std::string("plan.json")}) {
     if (!wrong) {
       fs::rename(made.path(name), folder / name, wrong);
     }
   }
-  if (wrong) {
-    return session::bad_input(fmt::format("-o {}: {}", options.folder, wrong.message()));
-  }
-  if (auto unwritten = write_out((folder / "plan.html").string(), html)) {
-    return unwritten;
-  }
-  return write_out((folder / "plan.json").string(), document);
+  return wrong
+             ? Wrong(session::bad_input(fmt::format("-o {}: {}", options.folder, wrong.message())))
+             : std::nullopt;
 }
 
 /// What to do with what was made, as a shell takes it.
@@ -226,11 +231,26 @@ Result<plan::PlannedPart, Refusal> plan_in(const FolderBeside& made, const PlanO
   return wrong;
 }
 
+/// Files of an earlier plan are replaced, those of the user are not.
 Wrong wrong_folder(const PlanOptions& options) {
   std::error_code unreadable;
-  return fs::exists(options.folder, unreadable) && !fs::is_directory(options.folder, unreadable)
-             ? Wrong(session::bad_input(fmt::format("-o {} is no folder", options.folder)))
-             : std::nullopt;
+  const fs::path folder(options.folder);
+  if (fs::exists(folder, unreadable) && !fs::is_directory(folder, unreadable)) {
+    return session::bad_input(fmt::format("-o {} is no folder", options.folder));
+  }
+  if (fs::exists(folder / "plan.json", unreadable)) {
+    return std::nullopt;
+  }
+  for (const std::string_view name :
+       {plan::kSheetFile, plan::kFanucProgram, plan::kSinumerikProgram}) {
+    if (fs::exists(folder / name, unreadable)) {
+      return session::bad_input(
+          fmt::format("-o {}: {} is there already, and no plan.json of an earlier plan: it would "
+                      "be replaced; expected a folder of its own",
+                      options.folder, name));
+    }
+  }
+  return std::nullopt;
 }
 
 Wrong wrong_output(const PlanOptions& options) {
