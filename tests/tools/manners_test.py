@@ -325,6 +325,8 @@ class Manners(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         again = run.stdout.splitlines()[-1].removeprefix("Now: g31 ")
         self.assertEqual(shlex.split(again), ["run", "my part/a b/measure.nc", "--setup", "my part/a b/setup.toml"])
+        like_an_option = self.g31("new", "--", "-dash").stdout.splitlines()[-1].removeprefix("Now: g31 ")
+        self.assertEqual(self.g31(*shlex.split(like_an_option)).returncode, 0, like_an_option)
 
     def test_a_plan_of_a_file_of_any_name_runs(self):
         name = 'a"\\\nM30\t%ü.step'
@@ -342,6 +344,21 @@ class Manners(unittest.TestCase):
         plan = self.g31("plan", os.fsdecode(latin_1), "--stock", "box", "-o", "other")
         self.assertEqual(plan.returncode, 2)
         self.assertIn(".step: the name is no UTF-8", plan.stderr)
+
+    def test_a_plan_that_cannot_be_written_leaves_the_earlier_one_whole(self):
+        plan = self.g31("plan", str(PRODUCT), "--stock", "box", "-o", "plan", "-q")
+        if "without Open CASCADE" in plan.stderr:
+            self.skipTest(plan.stderr)
+        before = {file.name: file.read_bytes() for file in (self.folder / "plan").iterdir()}
+        self.assertEqual(set(before), {"plan.json", "plan.html", "inspect.nc", "setup.toml"})
+        words = [G31, "plan", str(PRODUCT), "--stock", "box", "--tolerance", "0.01", "-o", "plan", "-q"]
+        size = max(map(len, before.values())) // 2
+        full = subprocess.run(words, cwd=self.folder, capture_output=True, text=True,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+        self.assertEqual(full.returncode, 2, full.stderr)
+        self.assertIn("plan/plan.html: File too large", full.stderr)
+        self.assertEqual({file.name: file.read_bytes() for file in (self.folder / "plan").iterdir()}, before)
+        self.assertEqual([file.name for file in self.folder.iterdir()], ["plan"])
 
     def test_a_plan_that_is_ended_leaves_nothing_behind(self):
         for ending in (signal.SIGINT, signal.SIGHUP, signal.SIGTERM):
@@ -439,6 +456,19 @@ class Manners(unittest.TestCase):
             events = (self.folder / "a.jsonl").read_text().splitlines()
             self.assertEqual(json.loads(events[-1])["event"], "end", events)
             self.assertTrue(all(map(json.loads, events)))
+
+    def test_memory_that_there_is_not_is_no_defect(self):
+        (self.folder / "big.csv").write_text("A,B\n" + "".join(f"0.25,{n}\n" for n in range(2_000_000)))
+        words = [G31, "evaluate", "straightness", "big.csv", "--step", "100", "--json", "-"]
+        limit = 70_000_000
+        little = subprocess.run(words, cwd=self.folder, capture_output=True, text=True,
+                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+        if little.returncode in (1, 127) and not little.stdout:
+            self.skipTest("this build does not start in 70 MB: " + little.stderr[:200])
+        self.assertEqual(little.returncode, 6, little.stderr)
+        self.assertIn("there is not enough memory for this work", little.stderr)
+        document = json.loads(little.stdout)
+        self.assertEqual((document["schema"], document["status"]), ("g31.evaluation/1", "budget"))
 
     def test_help_of_no_command_is_a_mistake(self):
         run = self.g31("help", "rnu")

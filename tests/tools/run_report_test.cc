@@ -89,7 +89,7 @@ TEST_F(Report, HasResultsTouchesAndListing) {
   const std::string page = page_of(kTouch, {"--expect", "#160=17.02+-0.001"});
   EXPECT_EQ(output_.exit_code, 0) << output_.errors;
   EXPECT_TRUE(has(page, "In tolerance"));
-  EXPECT_TRUE(has(page, R"(<table id="results">)"));
+  EXPECT_TRUE(has(page, R"(<table id="results" )"));
   EXPECT_TRUE(has(page, R"(<tr data-touch="1">)"));
   EXPECT_TRUE(has(page, "+20.0</td>")) << "4 ms at 5 mm/s";
   EXPECT_TRUE(has(page, R"(<li id="L-part.nc-5" data-l="5" class="x">)"));
@@ -98,6 +98,26 @@ TEST_F(Report, HasResultsTouchesAndListing) {
   for (const char* const id : {"summary", "scenebox", "timeline", "plan", "chart", "listing"}) {
     EXPECT_TRUE(has(page, fmt::format(R"( id="{}")", id))) << id;
   }
+}
+
+TEST_F(Report, LeavesTheDocumentOfTheRunAsItIs) {
+  const std::string document = folder_.path("run.json");
+  const std::string page = page_of(kTouch, {"--json", document});
+  const std::string beside = text_in(document);
+  g31({"run", program_, "-s", folder_.path("ring.toml"), "--json", document});
+  EXPECT_EQ(text_in(document), beside);
+  EXPECT_FALSE(nlohmann::json::parse(beside).contains("moves"));
+  EXPECT_TRUE(has(page, "\"moves\"")) << "the page has them";
+}
+
+TEST_F(Report, OfAFileOfReadingsHasItsResults) {
+  std::string rows = "t,X,Y\n";
+  for (int i = 0; i <= 360; ++i) {
+    const double angle = 0.0174532925199433 * i;
+    rows += fmt::format("{},{:.6f},{:.6f}\n", i, 10.0 * std::cos(angle), 10.0 * std::sin(angle));
+  }
+  g31({"evaluate", "circle", folder_.write("circle.csv", rows), "--report", path()});
+  EXPECT_TRUE(has(text_in(path()), R"(<table id="results">)"));
 }
 
 TEST_F(Report, SaysByHowMuchAResultIsOut) {
@@ -250,7 +270,7 @@ TEST_F(Report, ComparesInTheFrameOfATurnedPart) {
 
 TEST_F(Report, SaysWhereTheOtherRunTellsNoTimes) {
   const std::string other = folder_.path("other.json");
-  page_of(kTouch, {"--json", other, "--moves", "--touches"});
+  page_of(kTouch, {"--json", other, "--moves", "--touches", "--blocks"});
   const std::string timed = page_of(kTouch, {"--compare", other});
   EXPECT_FALSE(has(timed, "tells no times"));
   EXPECT_FALSE(has(output_.errors, "tells no times")) << output_.errors;

@@ -328,6 +328,7 @@ TEST(SceneCommand, TheTextFormHoldsTheSameBuffer) {
 
 TEST(SceneCommand, RefusesWhatItCannotWrite) {
   EXPECT_EQ(scene_of(kMeasureRing, "ring.obj").exit_code, 2);
+  EXPECT_EQ(scene_of(kMeasureRing, "RING.GLB").exit_code, 0);
   EXPECT_EQ(scene_of(kMeasureRing, "no/such/folder/ring.glb").exit_code, 2);
   EXPECT_EQ(scene_of("no_such_program.nc", "ring.glb").exit_code, 2);
 }
@@ -338,6 +339,8 @@ TEST(GltfDocument, AnEmptyPictureHasNoEmptyLists) {
   for (const char* list : {"meshes", "materials", "accessors", "bufferViews", "buffers"}) {
     EXPECT_FALSE(json.contains(list)) << list;
   }
+  ASSERT_EQ(json.at("nodes").size(), 1U);
+  EXPECT_FALSE(json.at("nodes")[0].contains("children"));
   EXPECT_EQ(word_at(file, 8), file.size());
 }
 

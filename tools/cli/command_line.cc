@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <iostream>
 #include <span>
@@ -200,6 +201,16 @@ void tell_refused_words(const std::vector<Command>& commands, const Options& opt
   }
 }
 
+/// Does the work of a command.  What ends it from within is told in its document, too.
+ExitCode carried_out(const Command& command, std::span<const std::string> words) {
+  try {
+    return command.run();
+  } catch (const std::exception& thrown) {
+    return refuse(refusal_of(thrown), command.schema.empty() ? "" : refused_words(words).json,
+                  command.schema);
+  }
+}
+
 }  // namespace
 
 ExitCode run_command_line(int argc, const char* const* argv, const std::string& version) {
@@ -237,7 +248,7 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   if (asked->lasts) {
     take_interruptions(options);
   }
-  const ExitCode code = asked->run();
+  const ExitCode code = carried_out(*asked, words);
   // Input that was waited for until somebody ended the waiting is no bad input.
   const bool is_broken_off = asked->lasts && code == ExitCode::BadUsage &&
                              runtime::is_interrupted(options.run.budget.interruption);

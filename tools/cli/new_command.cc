@@ -115,9 +115,11 @@ ExitCode new_command(const NewOptions& options) {
     text += (folder / file.path).string() + "\n";
   }
   beginning.keep();
+  // A name that begins with - would be taken for an option.
+  const fs::path shown = folder.string().starts_with('-') ? "." / folder : folder;
   ShownCommand command("g31 run");
-  command.add((folder / files.front().path).string());
-  command.add("--setup", (folder / "setup.toml").string());
+  command.add((shown / files.front().path).string());
+  command.add("--setup", (shown / "setup.toml").string());
   const auto wrong = write_out("-", text + "Now: " + command.line() + "\n");
   return wrong ? refuse(*wrong) : ExitCode::Completed;
 }

@@ -1,6 +1,7 @@
 #include "tools/cli/refusal_document.h"
 
 #include <filesystem>
+#include <new>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -64,6 +65,13 @@ std::string document_of(const session::Refusal& wrong, std::string_view schema) 
 }
 
 }  // namespace
+
+session::Refusal refusal_of(const std::exception& thrown) {
+  if (dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr) {
+    return {session::Ending::Budget, "there is not enough memory for this work", {}};
+  }
+  return {session::Ending::Defect, thrown.what(), {}};
+}
 
 source::Diagnostic message_of(const session::Refusal& wrong) {
   source::Diagnostic diagnostic;

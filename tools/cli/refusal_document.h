@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,9 @@
 #include "tools/session/refusal.h"
 
 namespace g31::cli {
+
+/// What ended a command from within: memory that there is not, or a defect of g31.
+session::Refusal refusal_of(const std::exception& thrown);
 
 /// The message of what could not be done.
 source::Diagnostic message_of(const session::Refusal& wrong);

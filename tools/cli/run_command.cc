@@ -307,7 +307,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
   recorder.tell(desk, nullptr);
   std::optional<report::RunChronicle> chronicle;
-  if (options.blocks) {
+  if (options.blocks || wants_page(options)) {
     chronicle.emplace(main_name(options), machine, output);
   }
   begin_records(line, job, tables.value(), recorder, machine);
@@ -385,13 +385,7 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
 
 }  // namespace
 
-ExitCode run_command(const RunOptions& given) {
-  RunOptions options = given;
-  if (wants_page(options)) {
-    options.moves = true;
-    options.touches = true;
-    options.blocks = true;
-  }
+ExitCode run_command(const RunOptions& options) {
   return run_or_tell(options, [&] { return do_run(options); });
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "interpreter/source/latin_1.h"
+#include "tools/cli/run_page.h"
 
 namespace g31::cli {
 namespace {
@@ -18,8 +19,9 @@ Keep keep_if(bool is_asked) {
 EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts,
                                  const machine::MachinePort& machine, const Tables& tables,
                                  runtime::OutputBudget& budget)
-    : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget,
-                  options.blocks ? &machine : nullptr),
+    : RunRecorder({keep_if(options.moves || wants_page(options)),
+                   keep_if(options.touches || wants_page(options))},
+                  budget, options.blocks || wants_page(options) ? &machine : nullptr),
       printouts_(printouts),
       keeps_(!options.json.empty() || !options.report.empty()),
       keeps_output_(keeps_),

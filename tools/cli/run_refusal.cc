@@ -50,7 +50,7 @@ std::optional<session::Refusal> write_refusal(const RunOptions& options, const s
   runtime::OutputBudget nothing;
   const report::RunRecorder recorder({}, nothing);
   return write_out(json, [&](disk::PartFile& file) {
-    report::write_run_document(result, recorder, no_sources,
+    report::write_run_document(result, recorder, no_sources, {},
                                [&](std::string_view piece) { file.write(piece); });
   });
 }
@@ -146,8 +146,8 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
       return done.value();
     }
     return tell(options, with_ended_wait(done.error()));
-  } catch (const std::exception& defect) {
-    return tell(options, {session::Ending::Defect, defect.what(), {}});
+  } catch (const std::exception& thrown) {
+    return tell(options, refusal_of(thrown));
   }
 }
 

@@ -39,8 +39,10 @@ std::optional<session::Refusal> write_document(const OpenedRun& opened,
                                                const report::RunResult& result) {
   constexpr double kLeastSeconds = 60.0;
   runtime::TimeBudget time(std::max(kLeastSeconds, opened.options.budget.wall_seconds));
+  const RunOptions& options = opened.options;
   const auto write = [&](disk::PartFile& file) {
     report::write_run_document(result, opened.recorder, opened.sources,
+                               {options.moves, options.touches, options.blocks},
                                [&](std::string_view piece) {
                                  file.write(piece);
                                  time.look();

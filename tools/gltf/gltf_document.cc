@@ -66,10 +66,13 @@ class Document {
     add_marks("contacts", trace.contacts, kContactColour);
     add_marks("collisions", trace.collisions, kCollisionColour);
     add_stylus(trace);
-    const std::size_t root = add_node({{"name", "machine coordinates, mm"},
-                                       {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
-                                       {"scale", {0.001, 0.001, 0.001}},
-                                       {"children", groups_}});
+    Json machine = {{"name", "machine coordinates, mm"},
+                    {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
+                    {"scale", {0.001, 0.001, 0.001}}};
+    if (!groups_.empty()) {  // glTF has no empty lists
+      machine["children"] = groups_;
+    }
+    const std::size_t root = add_node(std::move(machine));
     scene_ = {{"name", "g31"}, {"nodes", Json::array({root})}};
   }
 

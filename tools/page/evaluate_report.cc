@@ -21,7 +21,8 @@ Table results_table(const evaluate::Evaluation& evaluation, Language language) {
                std::string(text_of(Word::Measured, language)), "u",
                std::string(text_of(Word::Unit, language))},
               {},
-              {}};
+              {},
+              true};
   for (const evaluate::Quantity& quantity : evaluation.results) {
     table.rows.push_back({quantity.name, significant(quantity.value, kDecimals),
                           significant(quantity.u, kDecimals), unit_sign(quantity.unit)});

@@ -19,8 +19,9 @@ std::string drawing(const Drawing& drawing) {
 
 std::string table(const Report& report, const Table& table) {
   std::string html = fmt::format(
-      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{1}"><table><thead><tr>)",
-      escaped(table.title), escaped(table_label(report, table.title)));
+      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{1}"><table{2}><thead><tr>)",
+      escaped(table.title), escaped(table_label(report, table.title)),
+      table.is_results ? R"( id="results")" : "");
   for (std::size_t i = 0; i < table.head.size(); ++i) {
     html += fmt::format(R"(<th scope="col"{}>{}</th>)", i > 0 ? R"( class="n")" : "",
                         escaped(table.head[i]));

@@ -72,7 +72,7 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
   }
   runtime::OutputBudget nothing;
   const report::RunRecorder recorder({}, nothing);
-  report::write_run_document(result, recorder, sources,
+  report::write_run_document(result, recorder, sources, {},
                              [&](std::string_view piece) { report.document += piece; });
   return report;
 }

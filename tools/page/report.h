@@ -150,7 +150,8 @@ struct Table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
   std::optional<std::size_t>
-      english_column;  ///< whose cells are messages, the same in all languages
+      english_column;       ///< whose cells are messages, the same in all languages
+  bool is_results = false;  ///< of the command: `#results`, which the contract names
 };
 
 /// Everything that a page shows.  Empty parts are left out of it.

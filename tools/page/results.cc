@@ -217,7 +217,7 @@ std::string results_part(const Report& report) {
   }
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span>{2}</span></header><div class="tw" tabindex="0" role="region" aria-label="{3}"><table id="results"><thead><tr>)html",
+      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span>{2}</span></header><div class="tw" tabindex="0" role="region" aria-label="{3}"><table id="results" class="judged"><thead><tr>)html",
       say(Word::Results), say(Word::Measured), true_size_key(report),
       table_label(report, say(Word::Results)));
   std::vector<std::pair<Word, std::string_view>> heads = {

@@ -182,7 +182,7 @@ Report report_of(const RunPage& run, Language language) {
   report.printouts = printouts_of(run, names);
   report.inputs = inputs_of(run, language);
   report.limits = limits_of(run, meshes, language);
-  report::write_run_document(result, run.recorder, run.sources,
+  report::write_run_document(result, run.recorder, run.sources, {true, true, true},
                              [&](std::string_view piece) { report.document += piece; });
   report.figures =
       figures_of(run, {geometries, wall_shares(run, geometries, writers), meshes, names}, report);

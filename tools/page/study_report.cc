@@ -41,7 +41,8 @@ Table summary_table(const study::Record& record, Language language) {
       {say(Word::Characteristic), "n", say(Word::Mean), "s", say(Word::Least), say(Word::Most),
        say(Word::Bias), "U (k = 2)", say(Word::Known), say(Word::Published), say(Word::Unit)},
       {},
-      {}};
+      {},
+      true};
   const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
   for (std::size_t point = 0; point < points; ++point) {
     const std::string where = point_name(study, point);

@@ -117,15 +117,6 @@ void add_timed_moves(const RunRecorder& recorder, const source::SourceMap& sourc
   });
 }
 
-void add_moves(const RunResult& result, const RunRecorder& recorder,
-               const source::SourceMap& sources, ObjectWriter& document) {
-  if (result.chronicle != nullptr) {
-    add_timed_moves(recorder, sources, document);
-  } else {
-    document.add_list("moves", recorder.moves(), move_json);
-  }
-}
-
 Json call_json(const CallSpan& call, const source::SourceMap& sources) {
   Json object = {{"program", call.program}, {"level", call.level}};
   if (call.level > 0) {
@@ -193,10 +184,28 @@ void add_chronicle(const RunResult& result, const source::SourceMap& sources,
   document.add_list("history", result.chronicle->histories(), history_json);
 }
 
+void add_asked_lists(const RunResult& result, const RunRecorder& recorder,
+                     const source::SourceMap& sources, const DocumentLists& lists,
+                     ObjectWriter& document) {
+  if (lists.moves && lists.blocks) {
+    add_timed_moves(recorder, sources, document);
+  } else if (lists.moves) {
+    document.add_list("moves", recorder.moves(), move_json);
+  }
+  if (lists.touches) {
+    document.add_list("touches", recorder.touches(),
+                      [&](const runtime::TouchEvent& touch) { return touch_json(touch, sources); });
+  }
+  if (lists.blocks) {
+    add_chronicle(result, sources, document);
+  }
+}
+
 }  // namespace
 
 void write_run_document(const RunResult& result, const RunRecorder& recorder,
-                        const source::SourceMap& sources, const TextSink& sink) {
+                        const source::SourceMap& sources, const DocumentLists& lists,
+                        const TextSink& sink) {
   const auto shown_by = [&](auto convert) {
     return [&sources, convert](const auto& event) { return convert(event, sources); };
   };
@@ -221,15 +230,7 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   document.add_latin_1("files", result.files);
   add_stops(result, recorder, sources, document);
   add_events(recorder, sources, document);
-  if (recorder.what().moves == RecordWhat::Keep::Yes) {
-    add_moves(result, recorder, sources, document);
-  }
-  if (recorder.what().touches == RecordWhat::Keep::Yes) {
-    document.add_list("touches", recorder.touches(), shown_by(touch_json));
-  }
-  if (result.chronicle != nullptr) {
-    add_chronicle(result, sources, document);
-  }
+  add_asked_lists(result, recorder, sources, lists, document);
   if (!result.probe_state.empty()) {
     document.add("probe", {{"state", result.probe_state}});
   }

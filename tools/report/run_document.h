@@ -57,11 +57,19 @@ struct RunResult {
   std::vector<coverage::FileCoverage> coverage;  ///< of what the chronicle has counted
 };
 
+/// The lists of a document that only who asks for them gets.
+struct DocumentLists {
+  bool moves = false;    ///< where the recorder keeps them
+  bool touches = false;  ///< the same
+  bool blocks = false;   ///< calls, counts and histories, and the times of moves, of the chronicle
+};
+
 /// Writes the JSON text of schema `g31.run/1` (docs: the command-line contract), which ends in a
 /// line break, piece by piece: no list of it is ever in memory as text.  Bytes that are no UTF-8 in
 /// program texts are replaced by U+FFFD.
 /// @param sources  of the programs that ran
 void write_run_document(const RunResult& result, const RunRecorder& recorder,
-                        const source::SourceMap& sources, const TextSink& sink);
+                        const source::SourceMap& sources, const DocumentLists& lists,
+                        const TextSink& sink);
 
 }  // namespace g31::report
