@@ -182,6 +182,7 @@ TEST(CheckSarif, HasTheShapeOfTheStandard) {
     const std::string uri = place.at("artifactLocation").at("uri");
     EXPECT_TRUE(uri.starts_with("file:///")) << uri;
     EXPECT_TRUE(uri.ends_with("/a%20b%3Ac.nc")) << uri;
+    EXPECT_TRUE(result.at("partialFingerprints").contains("primaryLocationLineHash"));
   }
   const json& missing = run.at("results")[0];
   EXPECT_EQ(missing.at("ruleId"), "NC005");
@@ -194,6 +195,40 @@ TEST(CheckSarif, HasTheShapeOfTheStandard) {
   EXPECT_EQ(change.at("replacements").at(0), json::parse(R"({
     "deletedRegion": {"startLine": 3, "startColumn": 4, "endLine": 3, "endColumn": 25},
     "insertedContent": {"text": ""}})"));
+}
+
+std::vector<std::string> fingerprints_of(const std::string& program) {
+  const TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("a.nc", program)};
+  options.format = cli::CheckOptions::Format::Sarif;
+  const auto said = testing::captured([&] { return cli::check_command(options); });
+  std::vector<std::string> fingerprints;
+  const json log = json::parse(said.out);
+  for (const json& result : log.at("runs")[0].at("results")) {
+    fingerprints.push_back(result.at("partialFingerprints").at("primaryLocationLineHash"));
+  }
+  return fingerprints;
+}
+
+// FNV-1a of "G65P71", reckoned by hand of its definition.
+TEST(CheckSarif, AFindingIsKnownAgainWhereverItsLineGoes) {
+  const std::vector<std::string> twice = {"e6584dc2f496727d:1", "e6584dc2f496727d:2"};
+  EXPECT_EQ(fingerprints_of("O1\nG65 P71\nG65 P71\nM30\n"), twice);
+  EXPECT_EQ(fingerprints_of("O1\nX1.\n\n  G65P71\nY2.\nG65 P 71\nM30\n"), twice);
+}
+
+TEST(CheckFormats, TwoDocumentsDoNotShareStandardOutput) {
+  const TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("a.nc", "O1\nM30\n")};
+  options.json = "-";
+  options.format = cli::CheckOptions::Format::Sarif;
+  const auto said = testing::captured([&] { return cli::check_command(options); });
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_EQ(said.out, "");
+  EXPECT_NE(said.errors.find("--json and --format cannot both be standard output"),
+            std::string::npos);
 }
 
 TEST(CheckRules, AreADocument) {

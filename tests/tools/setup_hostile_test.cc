@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/tools/setup_sheets.h"
 #include "tools/setup/check_sheet.h"
 #include "tools/setup/document.h"
@@ -74,6 +75,17 @@ TEST(SetupHostile, RandomBytesAreErrorsOrJobs) {
       c = static_cast<char>(random.below(256));
     }
     static_cast<void>(read_hostile(sheet));
+  }
+}
+
+TEST(SetupHostile, Utf16IsToldAsSuch) {
+  const testing::TemporaryFolder folder;
+  for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"}) {
+    const auto document = read_document(folder.write("sheet.toml", mark + "[probe]"), 0);
+    ASSERT_FALSE(document.ok());
+    EXPECT_EQ(document.error().message,
+              "cannot read the set-up sheet: it is UTF-16 text, two bytes a character; save it as "
+              "UTF-8");
   }
 }
 

@@ -1,7 +1,11 @@
 #include "tools/check/sarif.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,7 +70,33 @@ Json fix_of(const analysis::Fix& fix, const Json& artifact, const source::Source
           {"artifactChanges", Json::array({std::move(change)})}};
 }
 
-Json result_of(const analysis::Finding& finding, const source::SourceMap& sources) {
+/// FNV-1a of a line without its blanks.
+std::uint64_t hash_of(std::string_view line) {
+  std::uint64_t hash = 0xCBF29CE484222325;
+  for (const char c : line) {
+    if (c != ' ' && c != '\t') {
+      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+    }
+  }
+  return hash;
+}
+
+/// Tells a finding from all others wherever its line goes: so who keeps them knows it again.
+class Fingerprints {
+ public:
+  /// @returns the line, and how often the file has had one like it
+  Json of(const std::string& rule, const Extent& extent) {
+    const std::string hash = fmt::format("{:016x}", hash_of(extent.line_text));
+    const int count = ++counts_[{rule, extent.file, hash}];
+    return {{"primaryLocationLineHash", fmt::format("{}:{}", hash, count)}};
+  }
+
+ private:
+  std::map<std::tuple<std::string, std::string, std::string>, int> counts_;
+};
+
+Json result_of(const analysis::Finding& finding, const source::SourceMap& sources,
+               Fingerprints& fingerprints) {
   const analysis::Rule& rule = analysis::info(finding.rule);
   const Extent extent = extent_of(finding, sources);
   const Json artifact = {{"uri", uri_of(extent.file)}};
@@ -79,6 +109,7 @@ Json result_of(const analysis::Finding& finding, const source::SourceMap& source
                                                                           message.remedy))}};
   Json place = {{"artifactLocation", artifact}, {"region", region_of(extent)}};
   result["locations"] = Json::array({{{"physicalLocation", std::move(place)}}});
+  result["partialFingerprints"] = fingerprints.of(std::string(rule.code), extent);
   if (finding.fix) {
     result["fixes"] = Json::array({fix_of(*finding.fix, artifact, sources)});
   }
@@ -90,8 +121,9 @@ Json result_of(const analysis::Finding& finding, const source::SourceMap& source
 std::string sarif_log(std::span<const analysis::Finding> findings, const source::SourceMap& sources,
                       std::string_view version) {
   Json results = Json::array();
+  Fingerprints fingerprints;
   for (const analysis::Finding& finding : findings) {
-    results.push_back(result_of(finding, sources));
+    results.push_back(result_of(finding, sources, fingerprints));
   }
   const Json driver = {{"name", "g31"}, {"version", version}, {"rules", rule_list()}};
   const Json run = {{"tool", {{"driver", driver}}},

@@ -175,8 +175,10 @@ ExitCode list_rules(const CheckOptions& options) {
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
-  if (const auto wrong = wrong_place({{"--json", options.json}},
-                                     {options.files, options.setups, {options.baseline}})) {
+  const bool is_for_people = options.format == CheckOptions::Format::Text;
+  if (const auto wrong =
+          wrong_place({{"--json", options.json}, {"--format", is_for_people ? "" : "-"}},
+                      {options.files, options.setups, {options.baseline}})) {
     return refuse(*wrong);
   }
   if (const auto wrong = why_not(options)) {

@@ -57,6 +57,9 @@ FileText read_file(const std::string& path) {
   if (text->size() > kLargestSheetBytes) {
     return {{}, kTooLarge};
   }
+  if (text->starts_with("\xFF\xFE") || text->starts_with("\xFE\xFF")) {
+    return {{}, "it is UTF-16 text, two bytes a character; save it as UTF-8"};
+  }
   return {*std::move(text), {}};
 }
 
