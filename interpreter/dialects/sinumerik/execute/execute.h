@@ -160,7 +160,9 @@ machine::BlockEnd block_end(const Channel& channel);
 machine::ContourControl contour_control(const Channel& channel);
 /// Compensation tables that are in force now and were not before go to the machine.
 MaybeFailure compensate_axes(Channel& channel);
-/// SOFT; machine data that say of the axes what they did not say before go to the machine.
+/// Machine data that say of the axes what they did not say before go to the machine.
+void take_axis_data(Channel& channel);
+/// The same, and whether SOFT limits the jerk.
 bool limits_jerk(Channel& channel);
 /// All three for a motion, and what the compressor makes of it.
 void take_modes(Channel& channel, path::PathBlock& path);

@@ -203,10 +203,14 @@ MaybeFailure compensate_axes(Channel& channel) {
   return std::nullopt;
 }
 
-bool limits_jerk(Channel& channel) {
+void take_axis_data(Channel& channel) {
   if (const auto data = channel.motion_data.changed(channel.numbers)) {
     channel.port.set_axis_data(*data);
   }
+}
+
+bool limits_jerk(Channel& channel) {
+  take_axis_data(channel);
   return channel.group[Group::Acceleration] == number_in_group("SOFT");
 }
 

@@ -163,6 +163,7 @@ MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = finish_corners(channel)) {
     return wrong;
   }
+  take_axis_data(channel);
   // The corner of the block and the direction for CT are of its path.
   const Eigen::Vector3d along_P_end = channel.along_P_end;
   const path::CornerWish wish = std::exchange(channel.corners.wish, {});
