@@ -15,7 +15,6 @@ namespace g31::analysis {
 namespace {
 
 using sinumerik::Address;
-using sinumerik::AxisRole;
 using sinumerik::Group;
 using sinumerik::Modification;
 using sinumerik::number_in_group;
@@ -91,8 +90,7 @@ WrongStep JudgedWords::take_axis_word(const Op& step, const SinumerikConstants& 
   const auto& row = sinumerik::info(static_cast<sinumerik::AxisWordId>(step.detail));
   const auto axis = constants.number(step.a);
   const auto value = constants.number(step.b);
-  const bool is_setting = row.role == AxisRole::Setting || row.role == AxisRole::AxisSetting;
-  return is_setting && axis && value && *axis >= 0.0
+  return is_setting(row.role) && axis && value && *axis >= 0.0
              ? sinumerik::wrong_axis_setting(row, static_cast<int>(*axis), *value)
              : std::nullopt;
 }

@@ -132,7 +132,6 @@ TEST(SinumerikRows, EveryGCodeSetsItsGroupOrIsRefused) {
 TEST(SinumerikRows, EveryAxisWordIsTakenWithinItsLimitsOrRefused) {
   for (const AxisWordInfo& row : axis_words()) {
     SCOPED_TRACE(std::string(row.name));
-    const bool sets = row.role == AxisRole::Setting || row.role == AxisRole::AxisSetting;
     const auto with = [&](double value) {
       return run_of(fmt::format("{}[X]={:.6f}", row.name, value));
     };
@@ -150,11 +149,16 @@ TEST(SinumerikRows, EveryAxisWordIsTakenWithinItsLimitsOrRefused) {
         break;
       case AxisRole::Setting:
       case AxisRole::AxisSetting:
-        EXPECT_TRUE(sets);
         EXPECT_EQ(with(row.least).alarm, 0);
         EXPECT_EQ(with(row.most).alarm, 0);
         EXPECT_NE(with(row.least - 1.0).alarm, 0);
         EXPECT_NE(with(row.most * 2.0).alarm, 0);
+        break;
+      case AxisRole::Switch:
+      case AxisRole::AxisSwitch:
+        EXPECT_EQ(run_of(fmt::format("{}[X]", row.name)).alarm, 0);
+        EXPECT_EQ(with(1.0).alarm, number_of(AlarmId::SyntaxInText));
+        EXPECT_EQ(run_of(fmt::format("{}[S]", row.name)).alarm == 0, row.role == AxisRole::Switch);
         break;
       case AxisRole::Refused:
         EXPECT_EQ(run_of(fmt::format("{}[X]=1", row.name)).alarm,

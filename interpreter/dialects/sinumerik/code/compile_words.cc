@@ -247,7 +247,7 @@ Expr WordCompiler::bracketed_axis(const AxisWordInfo& row) {
   expect(Symbol::LeftBracket);
   const Token name = cursor_.peek();
   const bool by_function = name.is_name("SPI");
-  const bool of_spindle = row.role == AxisRole::Setting && (name.is_letter('S') || by_function);
+  const bool of_spindle = takes_spindle(row.role) && (name.is_letter('S') || by_function);
   Expr axis;
   if (of_spindle) {
     cursor_.next();
@@ -270,7 +270,7 @@ Expr WordCompiler::bracketed_axis(const AxisWordInfo& row) {
   return axis;
 }
 
-/// AX[axis]=value, POS[axis]=value, FA[axis]=value
+/// AX[axis]=value, POS[axis]=value, FA[axis]=value, FINEA[axis]
 void WordCompiler::axis_word(const AxisWordInfo& row) {
   const ShortSpan where = cursor_.next().where;
   if (row.role == AxisRole::Refused) {
@@ -282,13 +282,14 @@ void WordCompiler::axis_word(const AxisWordInfo& row) {
     axis_measuring(row, axis, where);
     return;
   }
-  if (!cursor_.peek().is(Symbol::Assign)) {
+  if (cursor_.peek().is(Symbol::Assign) == is_switch(row.role)) {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
   Modification modification = Modification::None;
-  const Expr value =
-      operations_.convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  const Expr value = is_switch(row.role) ? operations_.constant(Type::Real, row.least, where)
+                                         : operations_.convert(word_value(modification), Type::Real,
+                                                               AlarmId::BadArguments);
   const bool is_place = row.role == AxisRole::Path || row.role == AxisRole::Positioning;
   if (modification == Modification::Quick || (modification != Modification::None && !is_place)) {
     fail(AlarmId::BadModification, where, row.name);

@@ -44,6 +44,12 @@ void take_reference_radius(Channel& channel, const Setting& setting) {
       setting.value * channel.mm_per_length() * kMmPerDegree;
 }
 
+/// FINEA[axis], COARSEA[axis], IPOENDA[axis]
+void take_motion_end(Channel& channel, const Setting& setting) {
+  channel.axis_settings.motion_end[static_cast<std::size_t>(setting.axis)] =
+      static_cast<MotionEnd>(setting.value);
+}
+
 /// The machine has its own.
 void take_nothing(Channel& /*channel*/, const Setting& /*setting*/) {}
 
@@ -54,6 +60,8 @@ void take_setting(Channel& channel, const Setting& setting) {
 #define Measuring() break
 #define Setting(f) return f(channel, setting)
 #define AxisSetting(f) return f(channel, setting)
+#define Switch(f) return f(channel, setting)
+#define AxisSwitch(f) return f(channel, setting)
 #define Refused() break
 #define AXIS_WORD(id, name, role, least, most, text) \
   case AxisWordId::id:                               \
@@ -61,6 +69,8 @@ void take_setting(Channel& channel, const Setting& setting) {
 #include "interpreter/dialects/sinumerik/vocabulary/axis_words.def"
 #undef AXIS_WORD
 #undef Refused
+#undef AxisSwitch
+#undef Switch
 #undef AxisSetting
 #undef Setting
 #undef Measuring
@@ -106,6 +116,21 @@ Result<double, Failure> positioning_place(Channel& channel, const Block& block, 
   return place.value();
 }
 
+/// The path begins behind the axis: where the next block might begin while it brakes, this is how
+/// near the machine comes.
+machine::BlockEnd end_of(MotionEnd motion_end) {
+  switch (motion_end) {
+    case MotionEnd::Coarse:
+      return machine::BlockEnd::CoarseStop;
+    case MotionEnd::Command:
+    case MotionEnd::Braking:
+      return machine::BlockEnd::CommandStop;
+    case MotionEnd::Fine:
+      break;
+  }
+  return machine::BlockEnd::ExactStop;
+}
+
 /// @param place_W  work coordinate of the axis
 MaybeFailure move_one(Channel& channel, const Block& block, int axis, double place_W) {
   AxisPositions q_W_end = channel.present();
@@ -117,6 +142,7 @@ MaybeFailure move_one(Channel& channel, const Block& block, int axis, double pla
                      settings.override_percent[axis] / 100.0 *
                      channel.feed_switches.override_percent / 100.0;
   path.g = path.feed_mm_min > 0.0 ? 1 : 0;
+  path.ends = end_of(settings.motion_end[static_cast<std::size_t>(axis)]);
   path.where = block.where;
   const double cutting_s = channel.outlet.cutting_s();
   MaybeFailure wrong = travel_to(channel, path, q_W_end);

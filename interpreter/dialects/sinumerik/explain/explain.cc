@@ -80,9 +80,11 @@ void add_words(Topics& all) {
     Entry entry{"address of an axis",
                 text(row.name),
                 text(row.text),
-                {{"form", fmt::format("{}[axis]=...", row.name)}}};
+                {{"form", fmt::format("{}[axis]{}", row.name, is_switch(row.role) ? "" : "=...")}}};
     if (row.role == AxisRole::Refused) {
       entry.facts.push_back({"here", "not yet: alarm 12140"});
+    } else if (is_switch(row.role)) {
+      entry.facts.push_back({"values", "none"});
     } else if (row.most > 0.0) {
       entry.facts.push_back({"values", fmt::format("{:g} to {:g}", row.least, row.most)});
     }

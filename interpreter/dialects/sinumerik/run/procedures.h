@@ -41,6 +41,7 @@ MaybeFailure offset_noted(Channel& channel, Operands& at, Arguments list);
 MaybeFailure call_part(Calls& calls, Operands& at, Arguments list);
 MaybeFailure stop_reading_ahead(Channel& channel, Operands& at, Arguments list);
 MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list);
+MaybeFailure end_in_braking(Channel& channel, Operands& at, Arguments list);
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_on_chain(Channel& channel, Operands& at, Arguments list);

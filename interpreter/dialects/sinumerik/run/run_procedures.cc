@@ -109,6 +109,16 @@ MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list) {
   return std::nullopt;
 }
 
+/// IPOBRKA(axis, percent)
+MaybeFailure end_in_braking(Channel& channel, Operands& at, Arguments list) {
+  const double axis = at.number(list[0].value);
+  if (axis < 0.0) {
+    return failure(AlarmId::BadAxisIndex, "IPOBRKA");
+  }
+  channel.axis_settings.motion_end[static_cast<std::size_t>(axis)] = MotionEnd::Braking;
+  return std::nullopt;
+}
+
 /// TRAILON(axis, leading axis, factor): the same pair again has another factor.
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
   const int follows = static_cast<int>(at.number(list[0].value));

@@ -45,6 +45,8 @@ MaybeFailure WordSteps::take_axis_word(const Op& op) {
   switch (row.role) {
     case AxisRole::Setting:
     case AxisRole::AxisSetting:
+    case AxisRole::Switch:
+    case AxisRole::AxisSwitch:
       return take_axis_setting({row.id, static_cast<int>(axis), word.value});
     case AxisRole::Path:
       if (row.id == AxisWordId::CentreOfAxis) {

@@ -38,14 +38,25 @@ struct Spindle {
   bool operator==(const Spindle&) const = default;
 };
 
+/// What ends POS of an axis, as $AA_MOTEND shows it.
+enum class MotionEnd : std::uint8_t {
+  Fine = 1,     ///< FINEA
+  Coarse = 2,   ///< COARSEA
+  Command = 3,  ///< IPOENDA
+  Braking = 4,  ///< IPOBRKA
+};
+
 /// What programs set of the axes one by one, and the overrides that they write.
 struct AxisSettings {
+  AxisSettings() { motion_end.fill(MotionEnd::Fine); }
+
   std::array<double, kAxisNumbers> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
   AxisPositions override_percent = AxisPositions::Constant(100.0);  ///< OVRA
   std::array<bool, kAxisCount> counts = {true, true, true};         ///< FGROUP
   AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
   bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
   double path_override_percent = 100.0;  ///< OVR
+  std::array<MotionEnd, kAxisNumbers> motion_end;
 
   bool operator==(const AxisSettings&) const = default;
 };

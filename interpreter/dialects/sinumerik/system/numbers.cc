@@ -70,6 +70,13 @@ Number nothing_of_axis(Channel& /*channel*/, const SystemAccess& access) {
   return access.indices[0] < 0 ? Number(failure(AlarmId::BadAxisIndex)) : 0.0;
 }
 
+Number motion_end(Channel& channel, const SystemAccess& access) {
+  const int axis = access.indices[0];
+  return axis < 0 ? Number(failure(AlarmId::BadAxisIndex))
+                  : static_cast<double>(
+                        channel.axis_settings.motion_end[static_cast<std::size_t>(axis)]);
+}
+
 /// No magazines and no multitools are simulated.
 Number kind_of_number(Channel& channel, const SystemAccess& access) {
   constexpr double kTool = 1.0;

@@ -34,6 +34,7 @@ using FramePlace = Result<Frame*, Failure>;
 Number zero(Channel& channel, const SystemAccess& access);
 Number pi(Channel& channel, const SystemAccess& access);
 Number version(Channel& channel, const SystemAccess& access);
+Number motion_end(Channel& channel, const SystemAccess& access);
 Number nothing_of_axis(Channel& channel, const SystemAccess& access);
 Number kind_of_number(Channel& channel, const SystemAccess& access);
 Number spindle_mode(Channel& channel, const SystemAccess& access);

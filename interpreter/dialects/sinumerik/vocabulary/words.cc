@@ -39,12 +39,16 @@ constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
 #define Measuring() AxisRole::Measuring
 #define Setting(f) AxisRole::Setting
 #define AxisSetting(f) AxisRole::AxisSetting
+#define Switch(f) AxisRole::Switch
+#define AxisSwitch(f) AxisRole::AxisSwitch
 #define Refused() AxisRole::Refused
 #define AXIS_WORD(id, name, role, least, most, text) \
   {AxisWordId::id, name, role, least, most, text},
 #include "interpreter/dialects/sinumerik/vocabulary/axis_words.def"
 #undef AXIS_WORD
 #undef Refused
+#undef AxisSwitch
+#undef Switch
 #undef AxisSetting
 #undef Setting
 #undef Measuring

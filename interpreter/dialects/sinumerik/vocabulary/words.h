@@ -122,13 +122,36 @@ enum class AxisWordId : std::uint8_t {
 #undef AXIS_WORD
 };
 
-enum class AxisRole : std::uint8_t { Path, Positioning, Measuring, Setting, AxisSetting, Refused };
+enum class AxisRole : std::uint8_t {
+  Path,
+  Positioning,
+  Measuring,
+  Setting,
+  AxisSetting,
+  Switch,
+  AxisSwitch,
+  Refused
+};
+
+/// Whether words of a role keep a number for an axis.
+constexpr bool is_setting(AxisRole role) {
+  return role == AxisRole::Setting || role == AxisRole::AxisSetting || role == AxisRole::Switch ||
+         role == AxisRole::AxisSwitch;
+}
+/// Whether they stand alone, without a value.
+constexpr bool is_switch(AxisRole role) {
+  return role == AxisRole::Switch || role == AxisRole::AxisSwitch;
+}
+/// Whether the spindle may stand in the place of the axis.
+constexpr bool takes_spindle(AxisRole role) {
+  return role == AxisRole::Setting || role == AxisRole::Switch;
+}
 
 struct AxisWordInfo {
   AxisWordId id;
   std::string_view name;
   AxisRole role;
-  double least;  ///< of a setting
+  double least;  ///< of a setting; what a switch stands for
   double most;
   std::string_view text;
 };
