@@ -25,6 +25,9 @@ WrongValue out_of_range(std::string_view name, double value, const ValueRange& r
 }
 
 MaybeWrong wrong_axis_setting(const AxisWordInfo& row, int axis, double value) {
+  if (row.role == AxisRole::AxisSwitch && !is_length_axis(axis)) {
+    return wrong(AlarmId::BadAxisIndex, fmt::format("{}[{}]", row.name, letter_of_axis(axis)));
+  }
   const ValueRange range{row.least, row.most};
   const bool is_negative_feed = row.id == AxisWordId::AxisFeed && value < 0.0;
   if (range.holds(value) && !is_negative_feed) {

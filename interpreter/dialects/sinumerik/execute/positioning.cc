@@ -50,6 +50,12 @@ void take_motion_end(Channel& channel, const Setting& setting) {
       static_cast<MotionEnd>(setting.value);
 }
 
+/// DIAMONA[axis] and its kind
+void take_diameter(Channel& channel, const Setting& setting) {
+  channel.axis_settings.diameter[static_cast<std::size_t>(setting.axis)] =
+      static_cast<int>(setting.value);
+}
+
 /// The machine has its own.
 void take_nothing(Channel& /*channel*/, const Setting& /*setting*/) {}
 

@@ -42,6 +42,7 @@ MaybeFailure call_part(Calls& calls, Operands& at, Arguments list);
 MaybeFailure stop_reading_ahead(Channel& channel, Operands& at, Arguments list);
 MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list);
 MaybeFailure end_in_braking(Channel& channel, Operands& at, Arguments list);
+MaybeFailure diameters_by_channel(Channel& channel, Operands& at, Arguments list);
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_on_chain(Channel& channel, Operands& at, Arguments list);

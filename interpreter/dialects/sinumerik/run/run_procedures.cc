@@ -119,6 +119,11 @@ MaybeFailure end_in_braking(Channel& channel, Operands& at, Arguments list) {
   return std::nullopt;
 }
 
+MaybeFailure diameters_by_channel(Channel& channel, Operands& /*at*/, Arguments /*list*/) {
+  channel.axis_settings.diameter = {};
+  return std::nullopt;
+}
+
 /// TRAILON(axis, leading axis, factor): the same pair again has another factor.
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
   const int follows = static_cast<int>(at.number(list[0].value));

@@ -16,6 +16,7 @@ constexpr int kInch = number_in_group("G70");
 constexpr int kInchAndFeed = number_in_group("G700");
 constexpr int kPlaneZx = number_in_group("G18");
 constexpr int kPlaneYz = number_in_group("G19");
+constexpr int kRadius = number_in_group("DIAMOF");
 constexpr int kDiameterAlways = number_in_group("DIAMON");
 constexpr int kDiameterAbsolute = number_in_group("DIAM90");
 
@@ -220,11 +221,19 @@ int Channel::transverse_axis() const {
   return name.empty() ? kTransverseAxis : axis_named(name);
 }
 
+int Channel::diameter_code(int axis) const {
+  if (!is_length_axis(axis)) {
+    return kRadius;
+  }
+  const int own = axis_settings.diameter[static_cast<std::size_t>(axis)];
+  const int of_channel = axis == transverse_axis() ? group[Group::Diameter] : kRadius;
+  return own != 0 ? own : of_channel;
+}
+
 double Channel::stored_place(int axis, double value, Counts counts) const {
+  const int code = diameter_code(axis);
   const bool doubled =
-      (group[Group::Diameter] == kDiameterAlways ||
-       (group[Group::Diameter] == kDiameterAbsolute && counts == Counts::Absolute)) &&
-      axis == transverse_axis();
+      code == kDiameterAlways || (code == kDiameterAbsolute && counts == Counts::Absolute);
   return stored(axis, doubled ? value / 2.0 : value);
 }
 
@@ -237,9 +246,8 @@ double Channel::shown_datum(int axis, double value) const {
 }
 
 double Channel::shown_place(int axis, double value) const {
-  const bool doubled =
-      (group[Group::Diameter] == kDiameterAlways || group[Group::Diameter] == kDiameterAbsolute) &&
-      axis == transverse_axis();
+  const int code = diameter_code(axis);
+  const bool doubled = code == kDiameterAlways || code == kDiameterAbsolute;
   return shown_datum(axis, doubled ? value * 2.0 : value);
 }
 

@@ -62,6 +62,8 @@ class Channel : public ChannelState {
   [[nodiscard]] double kept_per_datum(DatumUnit unit, std::optional<int> axis) const;
   /// MD20100: the axis that DIAMON counts in diameters; -1: its name is none of an axis.
   [[nodiscard]] int transverse_axis() const;
+  /// How a length axis counts, a number of group 29: DIAMONA of its own, or DIAMON of the channel.
+  [[nodiscard]] int diameter_code(int axis) const;
   /// A coordinate as a word of a block has it, in mm or degrees.
   [[nodiscard]] double stored(int axis, double value) const;
   enum class Counts { Absolute, Incremental };

@@ -57,6 +57,7 @@ struct AxisSettings {
   bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
   double path_override_percent = 100.0;  ///< OVR
   std::array<MotionEnd, kAxisNumbers> motion_end;
+  std::array<int, kAxisNumbers> diameter = {};  ///< DIAMONA: number in group 29; 0: as the channel
 
   bool operator==(const AxisSettings&) const = default;
 };
