@@ -22,6 +22,7 @@ constexpr int kMachine = number_in_group("ORIMKS");
 constexpr int kRollPitchYaw = number_in_group("ORIRPY");
 constexpr int kByAxes = number_in_group("ORIAXES");
 constexpr int kPointToPoint = number_in_group("PTP");
+constexpr int kPointToPointOfRapids = number_in_group("PTPG0");
 
 /// Between two pieces of a great circle the axes go straight.
 constexpr double kPieceDeg = 1.0;
@@ -166,8 +167,11 @@ Stance stance_of(const Channel& channel, const Block& block) {
 }  // namespace
 
 bool goes_by_axes(const Channel& channel) {
-  return channel.group[Group::PointToPoint] == kPointToPoint && channel.orientation.chain &&
-         !is_compensation_on(channel);
+  const int code = channel.group[Group::PointToPoint];
+  const bool is_asked_for =
+      code == kPointToPoint ||
+      (code == kPointToPointOfRapids && channel.group[Group::Motion] == number_in_group("G0"));
+  return is_asked_for && channel.orientation.chain && !is_compensation_on(channel);
 }
 
 MaybeFailure take_joint_position(Channel& channel, const Block& block) {
