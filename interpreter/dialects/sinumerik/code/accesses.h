@@ -34,6 +34,8 @@ class Accesses : private BlockPart {
   Expr variable_access(std::int32_t variable, ShortSpan where);
 
   Expr system_access(const SystemName& name, ShortSpan where);
+  /// Fails where a run would have to know what g31 does not simulate.
+  void refuse_unsimulated(const SystemName& name, ShortSpan where);
   /// The indices of a system variable; a frame may have axis and component behind them.
   std::vector<Argument> system_indices(const SystemName& name);
   Expr axis_operand();

@@ -8,6 +8,7 @@
 namespace g31::sinumerik {
 
 void Assignments::assign_system(const SystemName& name, ShortSpan where) {
+  accesses_.refuse_unsimulated(name, where);
   std::vector<Argument> list = accesses_.system_indices(name);
   expect(Symbol::Assign);
   if (!failed() && name.row->access == Access::Read) {

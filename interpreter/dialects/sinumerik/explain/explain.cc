@@ -97,13 +97,14 @@ void add_words(Topics& all) {
 
 void add_variables(Topics& all) {
   for (const SystemVariable& row : system_variables()) {
-    all.push_back({text(row.name),
-                   "",
-                   {"system variable",
-                    text(row.name),
-                    text(row.text),
-                    {{"type", text(name_of(row.type))},
-                     {"access", row.access == Access::Read ? "read" : "read and write"}}}});
+    Entry entry{
+        "system variable", text(row.name), text(row.text), {{"type", text(name_of(row.type))}}};
+    if (row.access == Access::Refused) {
+      entry.facts.push_back({"here", "not yet: alarm 12140"});
+    } else {
+      entry.facts.push_back({"access", row.access == Access::Read ? "read" : "read and write"});
+    }
+    all.push_back({text(row.name), "", std::move(entry)});
   }
   for (const MachineDatum& row : machine_data()) {
     Entry entry{"machine or setting datum",

@@ -24,10 +24,12 @@ consteval bool shows(Type /*type*/, std::nullptr_t) {
 #define Write(f, g) system::f
 #define Stored(f) system::f
 #define OfLevel(f) nullptr
+#define Refused() nullptr
 #define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
   static_assert(shows(Type::type, work), name " is of another type");
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
 #undef SYSTEM_VARIABLE
+#undef Refused
 #undef OfLevel
 #undef Stored
 #undef Write
@@ -110,17 +112,20 @@ MaybeFailure SystemSteps::read(const Op& op) {
 #define Write(f, g) return show(op, access, system::f(channel_, access))
 #define Stored(f) return show(op, access, system::f(channel_, access))
 #define OfLevel(f) return show(op, access, of_level::f(stack_, access))
+#define Refused() break
 #define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
   case SystemId::id:                                         \
     work;
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
 #undef SYSTEM_VARIABLE
+#undef Refused
 #undef OfLevel
 #undef Stored
 #undef Write
 #undef Read
   }
-  contract_violated("every system variable has a row", __FILE__, __LINE__);
+  contract_violated("every system variable has a row, and a refused one no step", __FILE__,
+                    __LINE__);
 }
 
 MaybeFailure SystemSteps::write(const Op& op) {
@@ -137,11 +142,13 @@ MaybeFailure SystemSteps::write(const Op& op) {
 #define Write(f, g) return set(access, list.back(), system::g)
 #define Stored(f) return set(access, list.back(), system::f)
 #define OfLevel(f) break
+#define Refused() break
 #define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
   case SystemId::id:                                         \
     work;
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
 #undef SYSTEM_VARIABLE
+#undef Refused
 #undef OfLevel
 #undef Stored
 #undef Write

@@ -15,10 +15,12 @@ constexpr auto kSystemVariableRows = std::to_array<SystemVariable>({
 #define Write(f, g) Access::Write
 #define Stored(f) Access::Write
 #define OfLevel(f) Access::Read
+#define Refused() Access::Refused
 #define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
   {SystemId::id, name, Type::type, indices, work, text},
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
 #undef SYSTEM_VARIABLE
+#undef Refused
 #undef OfLevel
 #undef Stored
 #undef Write

@@ -16,7 +16,7 @@ enum class SystemId : std::uint8_t {
 #undef SYSTEM_VARIABLE
 };
 
-enum class Access : std::uint8_t { Read, Write };
+enum class Access : std::uint8_t { Read, Write, Refused };
 
 struct SystemVariable {
   SystemId id;
