@@ -7,6 +7,8 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr std::string_view kEndOfPart = "ENDLABEL";
+/// Source: programming manual, fundamentals, 10.2004, 2.2: identifiers, labels among them.
+constexpr std::size_t kLongestLabel = 32;
 
 struct Jump {
   std::string_view name;
@@ -48,6 +50,9 @@ std::optional<std::string> JumpStatements::label_name() {
   std::string label(name.text);
   if (name.kind == TokenKind::Letter && cursor_.peek().kind == TokenKind::Integer) {
     label += cursor_.next().text;
+  }
+  if (label.size() > kLongestLabel) {
+    fail(AlarmId::NameTooLong, name.where, label);
   }
   return label;
 }
