@@ -162,7 +162,7 @@ TEST(Changes, OfVariablesOffsetsAndTools) {
       run_of("a.mpf", "R1=5\n$P_UIFR[1,X,TR]=3.5\n$TC_DP3[5,1]=10.25\nM30\n", {"--changes"},
              "[work_offsets.G54]\nX = 1.0\n[tools.5]\nlength = 10.0\n");
   EXPECT_EQ(sinumerik.out,
-            "$P_UIFR[1,X,TR] = 3.5 (was 1)\n$TC_DP3[5,1] = 10.25 (was 10)\nR1 = 5 (was null)\n")
+            "$P_UIFR[1,X,TR] = 3.5 (was 1)\n$TC_DP3[5,1] = 10.25 (was 10)\nR1 = 5 (was 0)\n")
       << sinumerik.errors;
 }
 
@@ -176,7 +176,7 @@ TEST(Changes, OfFramesAndTextsOfSinumerik) {
   const CommandOutput output = testing::g31({"run", program, "--changes"});
   EXPECT_EQ(output.out,
             "$P_CHBFR[0,Y,TR] = 1.5 (was 0)\n$P_SETFR[Z,TR] = -3 (was 0)\n"
-            "$P_UIFR[1,X,SC] = 2 (was 1)\nDEEP = 2 (was null)\nNOTE = DONE (was )\n")
+            "$P_UIFR[1,X,SC] = 2 (was 1)\nDEEP = 2 (was 0)\nNOTE = DONE (was )\n")
       << output.errors;
 }
 

@@ -20,12 +20,13 @@ bool are_equal(const ShownValue& a, const ShownValue& b) {
   return equal(std::get<Cell>(a), std::get<Cell>(b));
 }
 
-/// On a control that nobody has set up; a variable is vacant, or an empty text.
-ShownValue fresh_value(const StateValue& of) {
+/// On a control that nobody has set up.
+ShownValue fresh_value(const StateValue& of, const session::Session& session) {
   if (of.fresh) {
     return Cell(*of.fresh);
   }
-  return std::holds_alternative<std::string>(of.value) ? ShownValue(std::string()) : ShownValue();
+  return std::holds_alternative<std::string>(of.value) ? ShownValue(std::string())
+                                                       : ShownValue(session.unset_number());
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ std::vector<report::ValueChange> changes_since(const RunState& before, session::
   std::map<std::string, report::ValueChange> changes;
   for (const auto& [name, now] : after) {
     const auto was = before.find(name);
-    const ShownValue old = was != before.end() ? was->second.value : fresh_value(now);
+    const ShownValue old = was != before.end() ? was->second.value : fresh_value(now, session);
     if (!are_equal(old, now.value)) {
       changes[name] = {name, old, now.value};
     }
@@ -55,7 +56,7 @@ std::vector<report::ValueChange> changes_since(const RunState& before, session::
     if (!after.contains(name)) {
       const auto now = session.variable(name);
       const bool is_variable = !was.fresh && now;
-      changes[name] = {name, was.value, is_variable ? now.value() : fresh_value(was)};
+      changes[name] = {name, was.value, is_variable ? now.value() : fresh_value(was, session)};
     }
   }
   std::vector<report::ValueChange> list;

@@ -93,6 +93,7 @@ class FanucSession final : public Session {
                                                   int axis) const override {
     return session_->work_offset(name, axis);
   }
+  [[nodiscard]] runtime::Cell unset_number() const override { return {}; }
   [[nodiscard]] std::map<std::string, runtime::TableValue> tables() const override {
     return session_->tables();
   }

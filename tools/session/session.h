@@ -62,6 +62,8 @@ class Session {
   virtual std::optional<std::string> wrong_name(const std::string& name) = 0;
   /// The value of what --print names; the reason when there is none.
   virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
+  /// What a number is that nothing has set.
+  [[nodiscard]] virtual runtime::Cell unset_number() const = 0;
   /// The machine coordinate that a work offset gives the origin, shifts of all kinds together; mm
   /// or deg.  nullopt: the control has no such offset.
   /// @param axis  as AxisPositions counts them

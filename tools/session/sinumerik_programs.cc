@@ -44,6 +44,7 @@ class SinumerikSession final : public Session {
                                                   int axis) const override {
     return session_.work_offset(name, axis);
   }
+  [[nodiscard]] runtime::Cell unset_number() const override { return runtime::Cell(0.0); }
   [[nodiscard]] std::map<std::string, runtime::TableValue> tables() const override {
     return session_.tables();
   }
