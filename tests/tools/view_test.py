@@ -68,6 +68,14 @@ class Served(unittest.TestCase):
             if line.startswith("data: "):
                 return int(line[6:])
 
+    def hears_of_work(self, answer):
+        """Of a newer page that is made, before the page itself."""
+        while True:
+            line = answer.readline().decode()
+            self.assertFalse(line.startswith("data: "), line)
+            if line == "event: works\n":
+                return
+
     def until(self, *texts):
         """The page that has all of these, and how long it took to come."""
         began = time.monotonic()
@@ -251,6 +259,16 @@ class Live(Served):
         time.sleep(0.3)
         self.write("a.nc", PROGRAM.format(4))
         self.until("Completed")
+
+    def test_who_looks_hears_that_a_newer_page_is_made(self):
+        self.start("--max-time", "300", "--max-blocks", "999999999999")
+        self.until("Completed")
+        events = self.listen()
+        first = self.heard(events)
+        self.write("a.nc", "%\nO1\nWHILE[1EQ1]DO1\n#1=1\nEND1\nM30\n%\n")
+        self.hears_of_work(events)
+        self.write("a.nc", PROGRAM.format(4))
+        self.assertGreater(self.heard(events), first)
 
     def test_nothing_is_written_and_ctrl_c_ends_it(self):
         self.write("a.toml", '[control]\nvariables_file = "kept.toml"\n')

@@ -84,6 +84,7 @@ ExitCode view_command(const ViewOptions& options) {
     pace.wait(options.interruption);
     runtime::Interruption interruption = false;
     files.begin();
+    server.value()->work();
     const Watch watch{edition,
                       [&](std::string html) {
                         if (!interruption) {  // else what is shown would be of files of before

@@ -82,6 +82,7 @@ class HttpPageServer final : public PageServer {
   /// @returns why it cannot listen there; nullopt: it does
   std::optional<std::string> begin(int port);
   void show(std::uint64_t edition, std::string html) override;
+  void work() override;
   [[nodiscard]] std::string address() const override {
     return fmt::format("http://{}:{}/?t={}", kHost, port_, token_);
   }
@@ -94,8 +95,15 @@ class HttpPageServer final : public PageServer {
   void set_up();
   void answer_page(Response& response);
   void answer_events(Response& response);
-  /// Waits for an edition other than `last`.  @returns it, or `last` where none came in time
-  std::uint64_t next_edition(std::uint64_t last);
+  /// What there is: the page, and whether a newer one is made.
+  struct State {
+    std::uint64_t edition = 0;
+    bool works = false;
+    bool operator==(const State&) const = default;
+  };
+
+  /// Waits for a state other than `last`.  @returns it, or `last` where none came in time
+  State next_state(const State& last);
 
   std::atomic<bool> ends_ = false;
   PromptServer server_{ends_};
@@ -106,7 +114,7 @@ class HttpPageServer final : public PageServer {
   std::atomic<int> listeners_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::uint64_t edition_ = 0;
+  State state_;
   std::shared_ptr<const std::string> html_;
 };
 
@@ -194,23 +202,31 @@ HttpPageServer::~HttpPageServer() {
 void HttpPageServer::show(std::uint64_t edition, std::string html) {
   {
     const std::scoped_lock lock(mutex_);
-    edition_ = edition;
+    state_ = {edition, false};
     html_ = std::make_shared<const std::string>(std::move(html));
   }
   changed_.notify_all();
 }
 
-std::uint64_t HttpPageServer::next_edition(std::uint64_t last) {
+void HttpPageServer::work() {
+  {
+    const std::scoped_lock lock(mutex_);
+    state_.works = true;
+  }
+  changed_.notify_all();
+}
+
+HttpPageServer::State HttpPageServer::next_state(const State& last) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, kPatience, [&] { return ends_ || edition_ != last; });
-  return edition_;
+  changed_.wait_for(lock, kPatience, [&] { return ends_ || state_ != last; });
+  return state_;
 }
 
 void HttpPageServer::answer_page(Response& response) {
   constexpr std::string_view kWait =
       "<!doctype html><meta charset=\"utf-8\"><meta http-equiv=\"refresh\" content=\"0\">"
       "<title>g31 view</title><p>g31 runs the program…</p>\n";
-  next_edition(0);
+  next_state({0, true});
   std::shared_ptr<const std::string> html;
   {
     const std::scoped_lock lock(mutex_);
@@ -234,14 +250,15 @@ void HttpPageServer::answer_events(Response& response) {
   }
   response.set_chunked_content_provider(
       "text/event-stream",
-      [this, last = std::uint64_t{0}](std::size_t, httplib::DataSink& sink) mutable {
-        const std::uint64_t edition = next_edition(last);
+      [this, last = State{}](std::size_t, httplib::DataSink& sink) mutable {
+        const State now = next_state(last);
         if (ends_) {
           return false;
         }
-        const std::string text =
-            edition == last ? std::string(":\n\n") : fmt::format("data: {}\n\n", edition);
-        last = edition;
+        std::string text =
+            now.edition == last.edition ? ":\n\n" : fmt::format("data: {}\n\n", now.edition);
+        text += now.works && !last.works ? "event: works\ndata:.\n\n" : "";
+        last = now;
         return sink.write(text.data(), text.size());
       },
       [this](bool) { --listeners_; });

@@ -10,9 +10,10 @@ namespace g31::view {
 
 /// Serves one page at 127.0.0.1 to who knows its token, and tells them of newer ones.
 ///
-/// It answers GET of two paths, `/` and `/events` (server-sent events, the number of the edition
-/// that there is), with the token as `?t=`.  A request without the token, or one for another host
-/// name, as a page elsewhere could make a browser send it, is 403; it reads no file.
+/// It answers GET of two paths, `/` and `/events` (server-sent events: the number of the edition
+/// that there is, and `works` while a newer one is made), with the token as `?t=`.  A request
+/// without the token, or one for another host name, as a page elsewhere could make a browser send
+/// it, is 403; it reads no file.
 class PageServer {
  public:
   /// @param port  0: any that is free
@@ -30,6 +31,8 @@ class PageServer {
   /// From now on this is the page.  Any thread may call it.
   /// @param edition  larger than that of the page before, from 1
   virtual void show(std::uint64_t edition, std::string html) = 0;
+  /// From now until then a newer page is made.  Any thread may call it.
+  virtual void work() = 0;
 
  protected:
   PageServer() = default;

@@ -1,5 +1,6 @@
 // A page that g31 view serves makes way for the next edition, and what its reader has chosen stays.
 import { byId } from './markup.js';
+import { word } from './words.js';
 
 const KEPT = 'g31-kept';
 
@@ -32,6 +33,36 @@ function restore(choice, was) {
   scrollTo(...was.scroll);
 }
 
+/** Shows what the server is at, above the page. @returns {(text: string) => void} '': nothing */
+function notice() {
+  const note = document.createElement('p');
+  note.className = 'live noprint';
+  note.setAttribute('role', 'status');
+  note.hidden = true;
+  document.body.append(note);
+  return (text) => {
+    note.textContent = text;
+    note.hidden = text === '';
+  };
+}
+
+/** A run that is over at once needs no word. */
+const SHORT_RUN_MS = 400;
+
+/** @param {EventSource} events */
+function showState(events) {
+  const say = notice();
+  let waits = 0;
+  events.addEventListener('works', () => {
+    waits = window.setTimeout(() => say(word('view_works')), SHORT_RUN_MS);
+  });
+  events.onerror = () => {
+    clearTimeout(waits);
+    say(word('view_ended'));
+  };
+  events.onopen = () => say('');
+}
+
 /** @param {import('./choice').Choice} choice */
 export function followEditions(choice) {
   const { edition } = document.documentElement.dataset;
@@ -40,6 +71,7 @@ export function followEditions(choice) {
   const was = kept();
   if (was) restore(choice, was);
   const events = new EventSource(`/events${location.search}`);
+  showState(events);
   events.onmessage = ({ data }) => {
     if (data === edition) return;
     events.close();

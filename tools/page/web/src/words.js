@@ -57,6 +57,8 @@ const ENGLISH = {
   rule_executed: 'lines that ran',
   rule_signal: 'touches with a signal',
   touch_button: 'Touch {n}',
+  view_works: 'g31 runs the program anew …',
+  view_ended: 'g31 view has ended: this page stays as it is',
 };
 
 /** @type {Record<string, string>} */
