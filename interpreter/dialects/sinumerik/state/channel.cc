@@ -225,9 +225,12 @@ int Channel::diameter_code(int axis) const {
   if (!is_length_axis(axis)) {
     return kRadius;
   }
-  const int own = axis_settings.diameter[static_cast<std::size_t>(axis)];
-  const int of_channel = axis == transverse_axis() ? group[Group::Diameter] : kRadius;
-  return own != 0 ? own : of_channel;
+  if (const int own = axis_settings.diameter[static_cast<std::size_t>(axis)]; own != 0) {
+    return own;
+  }
+  // The name of the transverse axis is looked for only where it counts.
+  const int of_channel = group[Group::Diameter];
+  return of_channel != kRadius && axis == transverse_axis() ? of_channel : kRadius;
 }
 
 double Channel::stored_place(int axis, double value, Counts counts) const {
