@@ -244,6 +244,11 @@ TEST_F(Plan, MakesTheFoldersOnTheWay) {
       testing::g31({"plan", kProduct, "--stock", "box", "-o", folder_.path("new/and/out")});
   EXPECT_EQ(output.exit_code, 0) << output.errors;
   EXPECT_TRUE(std::filesystem::exists(folder_.path("new/and/out/plan.json")));
+  EXPECT_EQ(testing::g31({"plan", folder_.path("none.step"), "--stock", "box", "-o",
+                          folder_.path("other/and/out")})
+                .exit_code,
+            2);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("other")));
 }
 
 // Of the block around a cylinder four corners are removed, all of no kind.

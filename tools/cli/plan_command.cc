@@ -30,7 +30,7 @@ using session::Refusal;
 using Wrong = std::optional<Refusal>;
 
 /// A folder beside another one, so that relative paths in its files hold there too; gone at its
-/// end.
+/// end, as are those on the way to it that stay empty.
 class FolderBeside {
  public:
   static Result<std::shared_ptr<FolderBeside>, Refusal> make(const std::string& folder) {
@@ -38,7 +38,12 @@ class FolderBeside {
     while (name.size() > 1 && name.ends_with('/')) {
       name.pop_back();
     }
+    std::vector<fs::path> on_the_way;
     std::error_code unmade;  // what is wrong then shows below
+    for (fs::path way = fs::path(name).parent_path();
+         !fs::exists(way, unmade) && way.has_filename(); way = way.parent_path()) {
+      on_the_way.push_back(way);
+    }
     fs::create_directories(fs::path(name).parent_path(), unmade);
     name += ".g31-XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) {
@@ -47,13 +52,16 @@ class FolderBeside {
                       "is there and can be written to",
                       folder, std::strerror(errno)));
     }
-    return std::shared_ptr<FolderBeside>(new FolderBeside(name));
+    return std::shared_ptr<FolderBeside>(new FolderBeside(name, std::move(on_the_way)));
   }
   FolderBeside(const FolderBeside&) = delete;
   FolderBeside& operator=(const FolderBeside&) = delete;
   ~FolderBeside() {
     std::error_code gone;
     fs::remove_all(path_, gone);
+    for (const fs::path& folder : on_the_way_) {
+      fs::remove(folder, gone);  // unless something is in it now
+    }
   }
 
   [[nodiscard]] std::string path(const std::string& name = {}) const {
@@ -61,8 +69,10 @@ class FolderBeside {
   }
 
  private:
-  explicit FolderBeside(std::string path) : path_(std::move(path)) {}
+  FolderBeside(std::string path, std::vector<fs::path> on_the_way)
+      : path_(std::move(path)), on_the_way_(std::move(on_the_way)) {}
   std::string path_;
+  std::vector<fs::path> on_the_way_;  ///< made for it, the innermost first
 };
 
 /// How far planning is, on a terminal.
