@@ -120,6 +120,20 @@ TEST_F(Report, OfAFileOfReadingsHasItsResults) {
   EXPECT_TRUE(has(text_in(path()), R"(<table id="results">)"));
 }
 
+TEST_F(Report, OfAStudySaysWhichSetUpItSpeaksOf) {
+  folder_.write("a.nc", "O1\n#501=#500*2\nM30\n");
+  const std::string study =
+      folder_.write("study.toml",
+                    "[study]\nprogram = \"a.nc\"\nrepeats = 2\n[results.double]\nvalue = \"#501\"\n"
+                    "[[vary]]\nkey = \"variables.#500\"\nvalues = [3.0, 4.0]\n");
+  output_ = g31({"study", study, "--report", path()});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  const std::string page = text_in(path());
+  EXPECT_TRUE(has(page, R"(<table id="results">)"));
+  EXPECT_TRUE(has(page, "double, variables.#500 = 3: mean 6"))
+      << page.substr(0, page.find("<main>"));
+}
+
 TEST_F(Report, SaysByHowMuchAResultIsOut) {
   const std::string page = page_of(kTouch, {"--expect", "#160=17+-0.005"});
   EXPECT_EQ(output_.exit_code, 1);

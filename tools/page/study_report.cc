@@ -33,6 +33,13 @@ std::string point_name(const study::Description& study, std::size_t point) {
   return name;
 }
 
+/// Of a result, where listed values stand at a point.
+std::string result_name(const study::Description& study, std::size_t result, std::size_t point) {
+  const std::string where = point_name(study, point);
+  const std::string& name = study.results[result].name;
+  return where.empty() ? name : fmt::format("{}, {}", name, where);
+}
+
 Table summary_table(const study::Record& record, Language language) {
   const study::Description& study = record.description;
   const auto say = [language](Word name) { return std::string(text_of(name, language)); };
@@ -45,7 +52,6 @@ Table summary_table(const study::Record& record, Language language) {
       true};
   const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
   for (std::size_t point = 0; point < points; ++point) {
-    const std::string where = point_name(study, point);
     for (std::size_t i = 0; i < study.results.size(); ++i) {
       const study::ResultForm& form = study.results[i];
       const study::Summary summary = study::summary_of(record, point, i);
@@ -53,8 +59,8 @@ Table summary_table(const study::Record& record, Language language) {
       for (const double value : form.published) {
         published += (published.empty() ? "" : ", ") + significant(value, kStudyDecimals);
       }
-      table.rows.push_back({where.empty() ? form.name : fmt::format("{}, {}", form.name, where),
-                            fmt::format("{}", summary.n), significant(summary.mean, kStudyDecimals),
+      table.rows.push_back({result_name(study, i, point), fmt::format("{}", summary.n),
+                            significant(summary.mean, kStudyDecimals),
                             significant(summary.standard_deviation, kStudyDecimals),
                             significant(summary.min, kStudyDecimals),
                             significant(summary.max, kStudyDecimals),
@@ -83,8 +89,7 @@ void add_charts(const study::Record& record, Report& report) {
       if (readings.values.empty()) {
         continue;
       }
-      const std::string where = point_name(study, point);
-      const std::string name = where.empty() ? form.name : fmt::format("{}, {}", form.name, where);
+      const std::string name = result_name(study, i, point);
       report.drawings.push_back({name, histogram(readings, report.language),
                                  std::string(text_of(Word::SaysHistogram, report.language))});
       report.drawings.push_back({name, run_chart(readings, report.language),
@@ -116,7 +121,7 @@ Report report_of(const study::Record& record, const std::string& document,
     const study::Summary summary = study::summary_of(record, 0, 0);
     const study::ResultForm& form = study.results.front();
     report.verdict.sentence = said(
-        origin.language, Word::SaysMean, fmt::arg("name", form.name),
+        origin.language, Word::SaysMean, fmt::arg("name", result_name(study, 0, 0)),
         fmt::arg("mean", significant(summary.mean, kStudyDecimals)), fmt::arg("unit", form.unit),
         fmt::arg("deviation", significant(summary.standard_deviation, kStudyDecimals)),
         fmt::arg("readings", summary.n));
