@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/observer.h"
+#include "machine/base/letters.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/refusal_document.h"
@@ -31,12 +32,9 @@ constexpr std::string_view kSchema = "g31.scene/1";
 
 /// What the end of the file's name says; empty: nothing that g31 writes.
 std::string_view form_of(std::string_view path) {
-  std::string in_small_letters(path);
-  std::ranges::transform(in_small_letters, in_small_letters.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  const auto form = std::ranges::find_if(
-      kSceneForms, [&](std::string_view end) { return in_small_letters.ends_with(end); });
+  const std::string small = in_small_letters(path);
+  const auto form =
+      std::ranges::find_if(kSceneForms, [&](std::string_view end) { return small.ends_with(end); });
   return form == kSceneForms.end() ? std::string_view() : *form;
 }
 

@@ -42,7 +42,6 @@ class RunRecorder : public runtime::Observer {
   void on_event(const runtime::RecordedEvent& event) override;
   void on_output(const runtime::OutputEvent& event) override;
 
-  [[nodiscard]] const RecordWhat& what() const { return what_; }
   [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
   /// Machine time at the end of each move, s, as if the axes came to rest there; empty without a
   /// clock.

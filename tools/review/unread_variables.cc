@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 
 #include "interpreter/analysis/program_set.h"
+#include "machine/base/letters.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
 #include "tools/review/setup_rules.h"
 #include "tools/session/analysed_programs.h"
-#include "tools/setup/variable_name.h"
 
 namespace g31::review {
 namespace {
@@ -75,7 +75,7 @@ class ReadVariables {
     if (is_computed_) {
       return true;
     }
-    const std::string name = setup::in_capitals(written);
+    const std::string name = in_capitals(written);
     int number = 0;
     const auto end = std::from_chars(name.data() + 1, name.data() + name.size(), number);
     if (name.starts_with('R') && end.ec == std::errc() && end.ptr == name.data() + name.size()) {

@@ -96,14 +96,6 @@ std::optional<std::string> normal_stem(std::string_view stem) {
 
 }  // namespace
 
-std::string in_capitals(std::string_view name) {
-  std::string capitals(name);
-  for (char& c : capitals) {
-    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  }
-  return capitals;
-}
-
 std::optional<std::string> normal_variable_name(std::string_view text) {
   std::string dense(text);
   std::erase(dense, ' ');

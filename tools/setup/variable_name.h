@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "machine/base/letters.h"
 
 namespace g31::setup {
 
@@ -19,14 +22,11 @@ inline bool is_digit(char c) {
 /// name is not decided here.
 std::optional<std::string> normal_variable_name(std::string_view text);
 
-/// The name as controls know it, which tell no small letters from capitals.
-std::string in_capitals(std::string_view name);
-
-/// Orders names that differ in small letters and capitals alone as the same.
+/// Orders names that differ in small letters and capitals alone as the same, as controls know them.
 struct InAnyCase {
   using is_transparent = void;
   bool operator()(std::string_view a, std::string_view b) const {
-    return in_capitals(a) < in_capitals(b);
+    return std::ranges::lexicographical_compare(a, b, {}, capital_letter, capital_letter);
   }
 };
 

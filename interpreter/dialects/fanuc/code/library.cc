@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/text/parse.h"
+#include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/dialects/fanuc/text/tape_code.h"
 
 namespace g31::fanuc {
@@ -34,17 +35,15 @@ std::optional<int> number_in_name(std::string_view name) {
 /// it has the number.
 bool writes_number(std::string_view text, int number) {
   constexpr std::string_view kBegins = "Oo:";
-  constexpr std::string_view kNothing(" \t\r\0", 4);
   constexpr int kMost = 99'999'999;
   for (std::size_t at = text.find_first_of(kBegins); at != std::string_view::npos;
        at = text.find_first_of(kBegins, at + 1)) {
     int here = 0;
     for (std::size_t i = at + 1; i < text.size() && here <= kMost; ++i) {
-      const bool is_digit = text[i] >= '0' && text[i] <= '9';
-      if (!is_digit && kNothing.find(text[i]) == std::string_view::npos) {
+      if (!is_digit(text[i]) && !counts_for_nothing(text[i])) {
         break;
       }
-      here = is_digit ? 10 * here + (text[i] - '0') : here;
+      here = is_digit(text[i]) ? 10 * here + (text[i] - '0') : here;
     }
     if (here == number) {
       return true;

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/source/line_starts.h"
 
 namespace g31::fanuc {
@@ -129,13 +130,12 @@ class BeginningsReader {
       programs_.push_back({0, line_, line_begin_, has_percent_sign_});
     }
     has_percent_sign_ = has_percent_sign_ || (c == '%' && !programs_.empty());
-    const bool counts_for_nothing = c == ' ' || c == '\t' || c == '\r' || c == '\0';
-    const bool is_digit = c >= '0' && c <= '9';
-    if (in_number_ && is_digit && programs_.back().number <= kLargestBeforeDigit) {
+    const bool is_nothing = counts_for_nothing(c);
+    if (in_number_ && is_digit(c) && programs_.back().number <= kLargestBeforeDigit) {
       programs_.back().number = 10 * programs_.back().number + (c - '0');
     }
-    in_number_ = begins_program || (in_number_ && (is_digit || counts_for_nothing));
-    is_at_begin_ = is_at_begin_ && counts_for_nothing;
+    in_number_ = begins_program || (in_number_ && (is_digit(c) || is_nothing));
+    is_at_begin_ = is_at_begin_ && is_nothing;
   }
 
   /// Nothing but % counts there.

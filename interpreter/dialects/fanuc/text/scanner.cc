@@ -19,10 +19,6 @@ constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }
 
-constexpr bool counts_for_nothing(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\0';
-}
-
 /// Steps over a blank, and over the CR of a line end.  @returns whether nothing that would belong
 /// to a number follows: a digit or a point behind a blank would
 bool ends_plainly(std::string_view text, std::size_t& at) {
@@ -109,8 +105,8 @@ bool Scanner::accept(char expected) {
 
 /// A % with nothing behind it on its line.
 bool Scanner::ends_tape(std::size_t percent) const {
-  const std::size_t next = text_.find_first_not_of(" \t\r\0", percent + 1, 4);
-  return next == std::string_view::npos || text_[next] == '\n';
+  const std::size_t next = first_that_counts(text_, percent + 1);
+  return next >= text_.size() || text_[next] == '\n';
 }
 
 void Scanner::skip_leader() {
@@ -127,10 +123,7 @@ void Scanner::skip_leader() {
 }
 
 bool Scanner::at_tape_end() const {
-  std::size_t next = at_;
-  while (next < text_.size() && counts_for_nothing(text_[next])) {
-    ++next;
-  }
+  const std::size_t next = first_that_counts(text_, at_);
   return next < text_.size() && text_[next] == '%';
 }
 
@@ -145,8 +138,8 @@ void Scanner::skip_block() {
   }
   // A `;` and the end of its line end one block, not two.
   const std::size_t next =
-      text_[at_] == ';' ? text_.find_first_not_of(" \t\r\0", at_ + 1, 4) : std::string_view::npos;
-  at_ = next != std::string_view::npos && text_[next] == '\n' ? next + 1 : at_ + 1;
+      text_[at_] == ';' ? first_that_counts(text_, at_ + 1) : std::string_view::npos;
+  at_ = next < text_.size() && text_[next] == '\n' ? next + 1 : at_ + 1;
   comment_ = {};
 }
 

@@ -15,6 +15,19 @@ constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+/// Outside comments (MB-008).
+constexpr bool counts_for_nothing(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\0';
+}
+
+/// The place of the first character from `at` on that counts; the end of the text: there is none.
+constexpr std::size_t first_that_counts(std::string_view text, std::size_t at) {
+  while (at < text.size() && counts_for_nothing(text[at])) {
+    ++at;
+  }
+  return at;
+}
+
 /// What Scanner::peek shows of a character: letters as upper case; 0 where it has to look closer,
 /// at blanks and comments.
 inline constexpr auto kShown = [] {

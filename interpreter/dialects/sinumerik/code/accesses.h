@@ -34,10 +34,10 @@ class Accesses : private BlockPart {
   Expr variable_access(std::int32_t variable, ShortSpan where);
 
   Expr system_access(const SystemName& name, ShortSpan where);
-  /// Fails where a run would have to know what g31 does not simulate.
-  void refuse_unsimulated(const SystemName& name, ShortSpan where);
-  /// The indices of a system variable; a frame may have axis and component behind them.
-  std::vector<Argument> system_indices(const SystemName& name);
+  /// The indices of a system variable; a frame may have axis and component behind them.  Fails
+  /// where a run would have to know what g31 does not simulate.
+  /// @param where  the name
+  std::vector<Argument> system_indices(const SystemName& name, ShortSpan where);
   Expr axis_operand();
   Expr component_operand();
   /// SUBSTR(string, first, length)

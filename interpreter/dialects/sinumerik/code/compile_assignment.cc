@@ -8,8 +8,7 @@
 namespace g31::sinumerik {
 
 void Assignments::assign_system(const SystemName& name, ShortSpan where) {
-  accesses_.refuse_unsimulated(name, where);
-  std::vector<Argument> list = accesses_.system_indices(name);
+  std::vector<Argument> list = accesses_.system_indices(name, where);
   expect(Symbol::Assign);
   if (!failed() && name.row->access == Access::Read) {
     fail(AlarmId::WriteProtected, where, std::string(name.row->name));

@@ -152,14 +152,11 @@ Expr Accesses::component_operand() {
   return operations_.constant(Type::Int, static_cast<double>(*component), name.where);
 }
 
-void Accesses::refuse_unsimulated(const SystemName& name, ShortSpan where) {
+std::vector<Argument> Accesses::system_indices(const SystemName& name, ShortSpan where) {
   if (name.row->access == Access::Refused) {
     fail(AlarmId::NotImplemented, where,
          std::string(name.row->name) + ", " + std::string(name.row->text));
   }
-}
-
-std::vector<Argument> Accesses::system_indices(const SystemName& name) {
   std::vector<Argument> list;
   std::string wanted(name.row->indices);
   bool is_optional = !wanted.empty() && wanted.front() == 'n';
@@ -190,8 +187,7 @@ std::vector<Argument> Accesses::system_indices(const SystemName& name) {
 }
 
 Expr Accesses::system_access(const SystemName& name, ShortSpan where) {
-  refuse_unsimulated(name, where);
-  const std::vector<Argument> list = system_indices(name);
+  const std::vector<Argument> list = system_indices(name, where);
   program_.reads_block_time = program_.reads_block_time || name.row->id == SystemId::BlockTime;
   Expr result;
   const bool component = name.row->type == Type::Frame && list.size() >= 2;
