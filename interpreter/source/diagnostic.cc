@@ -85,18 +85,25 @@ ShownPlace place_of(const Diagnostic& diagnostic, const SourceMap& sources) {
   return diagnostic.where.is_known() ? sources.show(diagnostic.where) : diagnostic.in_sheet;
 }
 
+std::string excerpt_of(const Diagnostic& diagnostic, const SourceMap& sources) {
+  const ShownPlace place = place_of(diagnostic, sources);
+  return place.line > 0 ? excerpt(place, diagnostic.where.length) : std::string();
+}
+
+std::string text_of(const Note& note, const SourceMap& sources) {
+  return fmt::format("{}note: {}", prefix(sources.show(note.where)), printable(note.message));
+}
+
 std::string render_text(const Diagnostic& diagnostic, const SourceMap& sources) {
   const ShownPlace place = place_of(diagnostic, sources);
   std::string text = fmt::format("{}{}: {} [{}]\n", prefix(place), name_of(diagnostic.severity),
                                  printable(diagnostic.message), diagnostic.code);
-  if (place.line > 0) {
-    text += excerpt(place, diagnostic.where.length);
-  }
+  text += excerpt_of(diagnostic, sources);
   if (!diagnostic.remedy.empty()) {
     text += fmt::format("{:5} = {}\n", "", diagnostic.remedy);
   }
   for (const Note& note : diagnostic.notes) {
-    text += fmt::format("{}note: {}\n", prefix(sources.show(note.where)), printable(note.message));
+    text += text_of(note, sources) + "\n";
   }
   return text;
 }

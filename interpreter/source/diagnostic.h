@@ -62,9 +62,15 @@ const DiagnosticInfo& info(DiagnosticId id);
 /// The place of a diagnostic, in a program or in the sheet.
 ShownPlace place_of(const Diagnostic& diagnostic, const SourceMap& sources);
 
-/// The compiler-style form: `file:line:col: error: text [CODE]`, the line, a marker under it, the
-/// remedy and the notes.  Long lines are cut around the marker; control characters show as `?`.
-/// Where the text is no longer to be had, the file stands alone.
+/// The line of a diagnostic and a marker under it; empty where the text is not to be had.  Long
+/// lines are cut around the marker; control characters show as `?`.
+std::string excerpt_of(const Diagnostic& diagnostic, const SourceMap& sources);
+
+/// A note behind its place.
+std::string text_of(const Note& note, const SourceMap& sources);
+
+/// The compiler-style form: `file:line:col: error: text [CODE]`, its excerpt, the remedy and the
+/// notes.  Where the text is no longer to be had, the file stands alone.
 /// @param sources  of the programs that the places are in
 std::string render_text(const Diagnostic& diagnostic, const SourceMap& sources);
 

@@ -184,6 +184,11 @@ class InstalledTree(unittest.TestCase):
         self.assertEqual(self.complete("g31", "run", "--cont"), {"--control"})
         self.assertEqual(self.complete("g31", "run", "--control", ""), set(self.about["controls"]))
         self.assertEqual(self.complete("g31", "check", "--format", "j"), {"json"})
+        self.assertEqual(self.complete("g31", "evaluate", "c"), {"circle", "cylindricity"})
+        self.assertEqual(self.complete("g31", "evaluate", "circle", "share/g31/macros/fanuc/O600"),
+                         {f"share/g31/macros/fanuc/O600{n}.nc" for n in (1, 2, 3)})
+        self.assertEqual(self.complete("g31", "evaluate", "--unit", "u"), {"um"})
+        self.assertEqual(self.complete("g31", "run", "--lang", ""), {"en", "ja"})
         self.assertEqual(self.complete("g31", "run", "-s", "share/g31/machine/library/v"),
                          {"share/g31/machine/library/v55.toml"})
         self.assertEqual(self.complete("g31", "run", "share/g31/macros/fanuc/O600"),

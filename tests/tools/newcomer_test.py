@@ -34,7 +34,7 @@ MISTAKES = (
     ("a mistyped control", {}, run("--control", "hass"), 5, "did you mean 'haas'?"),
     ("a control that is unknown", {}, run("--control", "heidenhain"), 5, "known: fanuc-16i, "),
     ("a program that is not there", {}, ("run", "q.nc"), 2, "cannot read the program q.nc"),
-    ("a sheet that is not there", {}, ("run", "p.nc", "-s", "t.toml"), 2, "cannot read the set-up sheet"),
+    ("a sheet that is not there", {}, ("run", "p.nc", "-s", "t.toml"), 2, "cannot read the file"),
     ("a mistyped section", {"s.toml": "[prob]\n"}, run(), 2, "did you mean probe?"),
     ("a mistyped key", {"s.toml": "[probe]\nball_diamter = 6.0\n"}, run(), 2, "did you mean ball_diameter?"),
     ("a number in quotes", {"s.toml": "[probe]\nlength = \"120\"\n"}, run(), 2, "for example: length = 120.0"),

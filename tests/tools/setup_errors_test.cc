@@ -523,11 +523,10 @@ TEST_F(SetupErrorText, OfAFileThatCannotBeReadStandAlone) {
     std::string text;
   };
   const Unreadable kCases[] = {
-      {path_of("nix.toml"),
-       "nix.toml: error: cannot read the set-up sheet: no such file [SET101]\n"},
-      {path_of("."), ".: error: cannot read the set-up sheet: it is a folder [SET101]\n"},
+      {path_of("nix.toml"), "nix.toml: error: cannot read the file: no such file [SET101]\n"},
+      {path_of("."), ".: error: cannot read the file: it is a folder [SET101]\n"},
       {write("big.toml", std::string(kLargestSheetBytes + 1, '\n')),
-       "big.toml: error: cannot read the set-up sheet: it is larger than 16 MiB [SET101]\n"},
+       "big.toml: error: cannot read the file: it is larger than 16 MiB [SET101]\n"},
   };
   for (const Unreadable& c : kCases) {
     SCOPED_TRACE(c.path);

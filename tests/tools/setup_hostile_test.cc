@@ -84,7 +84,7 @@ TEST(SetupHostile, Utf16IsToldAsSuch) {
     const auto document = read_document(folder.write("sheet.toml", mark + "[probe]"), 0);
     ASSERT_FALSE(document.ok());
     EXPECT_EQ(document.error().message,
-              "cannot read the set-up sheet: it is UTF-16 text, two bytes a character; save it as "
+              "cannot read the file: it is UTF-16 text, two bytes a character; save it as "
               "UTF-8");
   }
 }

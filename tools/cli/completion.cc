@@ -52,6 +52,25 @@ std::string bash_reply(const OptionWords& option) {
   contract_violated("every kind of value is completed", __FILE__, __LINE__);
 }
 
+/// The first place that can be completed; behind a choice that was made, the one behind it.
+std::string bash_places(const std::vector<OptionWords>& places) {
+  std::string text;
+  std::string when;
+  for (const OptionWords& place : places) {
+    const std::string reply = bash_reply(place);
+    if (!reply.empty()) {
+      text += fmt::format("      {}places=(compgen {})\n", when, reply);
+    }
+    if (place.kind == ValueKind::Choice) {
+      when = fmt::format(R"([[ " ${{COMP_WORDS[*]:1:COMP_CWORD-1}} " == *' '@({})' '* ]] && )",
+                         fmt::join(place.choices, "|"));
+    } else if (!reply.empty()) {
+      break;
+    }
+  }
+  return text;
+}
+
 std::string bash_command(const CommandWords& command) {
   std::string text = fmt::format("    {})\n      case $before in\n", command.name);
   for (const OptionWords& option : command.options) {
@@ -64,13 +83,7 @@ std::string bash_command(const CommandWords& command) {
   }
   text +=
       fmt::format("      esac\n      options='{}'\n", fmt::join(names_of(command.options), " "));
-  for (const OptionWords& place : command.places) {
-    if (const std::string reply = bash_reply(place); !reply.empty()) {
-      text += fmt::format("      places=(compgen {})\n", reply);
-      break;
-    }
-  }
-  return text + "      ;;\n";
+  return text + bash_places(command.places) + "      ;;\n";
 }
 
 std::string bash_script(const ProgramWords& words) {
@@ -249,8 +262,11 @@ std::string fish_script(const ProgramWords& words) {
     }
     for (const OptionWords& place : command.places) {
       if (place.kind == ValueKind::Choice) {
-        text += fmt::format("complete -c {} -n {} -f -a '{}'\n", name, quoted(when),
-                            fmt::join(place.choices, " "));
+        const std::string choices = fmt::format("{}", fmt::join(place.choices, " "));
+        text += fmt::format(
+            "complete -c {} -n {} -f -a '{}'\n", name,
+            quoted(fmt::format("{}; and not __fish_seen_subcommand_from {}", when, choices)),
+            choices);
       }
     }
   }

@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/exit_code_help.h"
+#include "tools/evaluate/request_words.h"
+#include "tools/page/language.h"
 #include "tools/session/control.h"
 
 namespace g31::cli {
@@ -32,13 +34,38 @@ std::vector<std::string> choices_of(std::string_view type) {
   return split(type.substr(open + 1, close - open - 1), ',');
 }
 
+/// Words of these kinds, which are told in other ways than CLI11's.
+/// @param called  as --help calls the value
+std::vector<std::string> known_words(std::string_view called) {
+  if (called == "CONTROL") {
+    return session::control_names();
+  }
+  if (called == "UNIT") {
+    return evaluate::unit_names();
+  }
+  std::vector<std::string> words;
+  if (called == "KIND") {
+    for (const evaluate::KindRow& row : evaluate::kinds()) {
+      words.emplace_back(row.word);
+    }
+  } else if (called == "LANGUAGE") {
+    for (const page::Language language : {page::Language::English, page::Language::Japanese}) {
+      words.emplace_back(name_of(language));
+    }
+  }
+  return words;
+}
+
 void set_value(const CLI::Option& option, OptionWords& words) {
   if (option.get_items_expected_max() == 0) {
     return;
   }
   const std::string type = option.get_type_name();
   words.value = type.substr(0, type.find(':'));
-  words.choices = words.value == "CONTROL" ? session::control_names() : choices_of(type);
+  words.choices = known_words(option.get_positional() ? words.names.front() : words.value);
+  if (words.choices.empty()) {
+    words.choices = choices_of(type);
+  }
   if (!words.choices.empty()) {
     words.kind = ValueKind::Choice;
   } else if (words.value.starts_with("FILE")) {

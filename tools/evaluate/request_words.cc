@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "machine/base/nearest_name.h"
 #include "tools/evaluate/option_values.h"
@@ -13,6 +14,15 @@ namespace {
 
 /// What is wrong; nullopt: nothing.
 using Wrong = WrongValue;
+
+struct UnitRow {
+  std::string_view name;
+  double mm;
+};
+
+constexpr UnitRow kUnits[] = {
+    {"mm", 1.0}, {"um", 1e-3}, {"nm", 1e-6}, {"m", 1e3}, {"inch", 25.4},
+};
 
 Wrong take_kind(const std::string& word, Request& request) {
   std::vector<std::string_view> words;
@@ -40,15 +50,12 @@ Wrong take_columns(const std::vector<std::string>& columns, Request& request) {
 }
 
 Wrong take_unit(const std::string& unit, Request& request) {
-  struct LengthName {
-    std::string_view name;
-    double mm;
-  };
-  constexpr LengthName kUnits[] = {{"", 1.0},    {"mm", 1.0}, {"um", 1e-3},
-                                   {"nm", 1e-6}, {"m", 1e3},  {"inch", 25.4}};
-  const auto found = std::ranges::find(kUnits, unit, &LengthName::name);
+  if (unit.empty()) {
+    return std::nullopt;
+  }
+  const auto* const found = std::ranges::find(kUnits, unit, &UnitRow::name);
   if (found == std::end(kUnits)) {
-    return fmt::format("--unit {}: units are mm, um, nm, m and inch", unit);
+    return fmt::format("--unit {}: units are {}", unit, fmt::join(unit_names(), ", "));
   }
   request.columns.mm_per_unit = found->mm;
   return std::nullopt;
@@ -128,6 +135,14 @@ Wrong take_option(const std::string& option, const std::string& value, RequestWo
 }
 
 }  // namespace
+
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const UnitRow& row : kUnits) {
+    names.emplace_back(row.name);
+  }
+  return names;
+}
 
 Result<Request, std::string> request_of(const RequestWords& words) {
   Request request;

@@ -19,6 +19,9 @@ struct RequestWords {
   std::map<OptionId, std::string> given = {};  ///< options that only some kinds know
 };
 
+/// Of --unit.
+std::vector<std::string> unit_names();
+
 /// Error: which of the words is wrong, and what would be right, one line.
 Result<Request, std::string> request_of(const RequestWords& words);
 

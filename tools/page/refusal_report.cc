@@ -34,21 +34,30 @@ std::vector<Finding> refused_findings(const report::RunResult& result,
                                       const source::SourceMap& sources) {
   std::vector<Finding> findings;
   for (const source::Diagnostic& message : result.outcome.diagnostics) {
-    findings.push_back({message.severity, message.code, source::readable_text(message.message),
-                        FileNames().at(source::place_of(message, sources)),
-                        excerpt_of(message, sources)});
+    findings.push_back(finding_of(message, FileNames(), sources));
   }
   return findings;
 }
 
 }  // namespace
 
-std::string excerpt_of(const source::Diagnostic& message, const source::SourceMap& sources) {
-  if (message.severity != source::Severity::Error) {
-    return {};
+Finding finding_of(const source::Diagnostic& message, const FileNames& names,
+                   const source::SourceMap& sources) {
+  Finding finding;
+  finding.severity = message.severity;
+  finding.code = message.code;
+  finding.text = source::readable_text(message.message);
+  finding.place = names.at(source::place_of(message, sources));
+  if (message.severity == source::Severity::Error) {
+    finding.excerpt = source::excerpt_of(message, sources);
   }
-  const std::string text = source::render_text(message, sources);
-  return text.substr(text.find('\n') + 1);
+  if (!message.remedy.empty()) {
+    finding.remarks.push_back(source::readable_text(message.remedy));
+  }
+  for (const source::Note& note : message.notes) {
+    finding.remarks.push_back(source::text_of(note, sources));
+  }
+  return finding;
 }
 
 Report refusal_report(const report::RunResult& result, const source::SourceMap& sources,

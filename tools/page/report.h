@@ -43,7 +43,8 @@ struct Finding {
   std::string code;
   std::string text;
   Place place;
-  std::string excerpt = {};  ///< the line with a mark under it, and what would be right; "": none
+  std::string excerpt = {};               ///< the line with a mark under it; "": none
+  std::vector<std::string> remarks = {};  ///< what would be right, what led to it
 };
 
 struct Frame {

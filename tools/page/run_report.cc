@@ -23,9 +23,7 @@ std::array<double, 3> linear(const AxisPositions& q) {
 std::vector<Finding> findings_of(const RunPage& run, const FileNames& names) {
   std::vector<Finding> findings;
   for (const source::Diagnostic& message : run.result.outcome.diagnostics) {
-    findings.push_back({message.severity, message.code, message.message,
-                        names.at(source::place_of(message, run.sources)),
-                        excerpt_of(message, run.sources)});
+    findings.push_back(finding_of(message, names, run.sources));
   }
   std::ranges::stable_sort(findings, std::greater(), &Finding::severity);
   return findings;

@@ -8,6 +8,7 @@
 
 #include "interpreter/source/source_map.h"
 #include "tools/expect/expectation.h"
+#include "tools/page/file_names.h"
 #include "tools/page/other_run.h"
 #include "tools/page/report.h"
 #include "tools/picture/pictured_part.h"
@@ -43,8 +44,9 @@ Report report_of(const RunPage& run, Language language);
 Report refusal_report(const report::RunResult& result, const source::SourceMap& sources,
                       const std::string& command, Language language);
 
-/// The line of an error with a mark under it, and what would be right; "" for others.
-std::string excerpt_of(const source::Diagnostic& message, const source::SourceMap& sources);
+/// A message for the page: errors with their line, all with what would be right.
+Finding finding_of(const source::Diagnostic& message, const FileNames& names,
+                   const source::SourceMap& sources);
 
 /// The answer in a sentence.
 /// @param results  that are judged

@@ -28,6 +28,9 @@ std::string finding(const Report& report, const Finding& one) {
   if (!one.excerpt.empty()) {
     html += fmt::format(R"(<pre class="excerpt">{}</pre>)", english(report, one.excerpt));
   }
+  for (const std::string& remark : one.remarks) {
+    html += fmt::format(R"(<p class="remark">{}</p>)", english(report, remark));
+  }
   html += R"(<div class="loc">)";
   if (!one.code.empty()) {
     html += fmt::format(R"(<span class="mono">{}</span>)", escaped(one.code));
@@ -38,13 +41,18 @@ std::string finding(const Report& report, const Finding& one) {
   return html + "</div></div>";
 }
 
-std::string pairs(const std::vector<std::pair<std::string, std::string>>& rows) {
-  std::string html = "<table><tbody>";
+/// Rows below a head; nothing without rows.
+std::string column(std::string_view head,
+                   const std::vector<std::pair<std::string, std::string>>& rows) {
+  if (rows.empty()) {
+    return {};
+  }
+  std::string html = fmt::format("<div><h3>{}</h3><table><tbody>", head);
   for (const auto& [name, value] : rows) {
     html += fmt::format(R"(<tr><th scope="row"><code>{}</code></th><td class="n">{}</td></tr>)",
                         escaped(name), escaped(value));
   }
-  return html + "</tbody></table>";
+  return html + "</tbody></table></div>";
 }
 
 }  // namespace
@@ -87,10 +95,9 @@ std::string ending_part(const Report& report) {
         R"(<div class="frame"><span class="ix">{}</span><span><b>{}</b> {}</span><code>{}</code></div>)",
         i, escaped(frame.program), link_to(frame.place), escaped(frame.text));
   }
-  html += fmt::format("</div><div><h3>{}</h3>{}</div><div><h3>{}</h3>{}</div></div></section>\n",
-                      word(report, Word::VariablesThere), pairs(ending.variables),
-                      word(report, Word::Positions), pairs(ending.facts));
-  return html;
+  html += "</div>" + column(word(report, Word::VariablesThere), ending.variables) +
+          column(word(report, Word::Positions), ending.facts);
+  return html + "</div></section>\n";
 }
 
 }  // namespace g31::page
