@@ -47,6 +47,9 @@ class Reader {
   /// nullopt: the letter's whole numbers are what they are.
   [[nodiscard]] std::optional<Counts> counts(char letter) const {
     const bool is_feed = letter == 'F' || (letter == 'E' && block_.calls);
+    if (is_feed && block_.calls && !profile_.counts_feed_arguments) {
+      return std::nullopt;
+    }
     if (is_feed) {
       return counts_of_feed(profile_, reading_);
     }

@@ -668,6 +668,52 @@ M30
 %
 (EXPECT #100 = 0.0012)
 
+(CASE arguments D E F H M S T without a point are as written, others count increments)
+(SOURCE Haas mill operator's manual 96-8000, macros: integer argument passing)
+%
+O1
+G65 P2 D1 E2 F3000 H4 M5 S6 T7 Q8
+M30
+O2
+#101=#7
+#102=#8
+#103=#9
+#104=#11
+#105=#13
+#106=#19
+#107=#20
+#108=#17
+M99
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = 2)
+(EXPECT #103 = 3000)
+(EXPECT #104 = 4)
+(EXPECT #105 = 5)
+(EXPECT #106 = 6)
+(EXPECT #107 = 7)
+(EXPECT #108 = 0.008)
+
+(CASE G10 L12 and L13 enter diameters, as D shows them)
+(SOURCE Haas mill operator's manual 96-8000, G10: L12 is the diameter of a tool)
+%
+O1
+G90 G10 L12 P5 R3.
+G10 L13 P5 R0.05
+#101=#2405
+#102=#2605
+G91 G10 L12 P5 R-1.
+#103=#2405
+G10 L10 P5 R100.
+G90 G10 L10 P5 R100.
+#104=#2005
+M30
+%
+(EXPECT #101 = 3)
+(EXPECT #102 = 0.05)
+(EXPECT #103 = 2)
+(EXPECT #104 = 100)
+
 (CASE DPRNT needs no POPEN, the line is always open)
 %
 O1

@@ -10,11 +10,13 @@ namespace {
 using runtime::OffsetMemory;
 using runtime::ToolEntry;
 
-constexpr OffsetForm kOffsetForms[] = {{1, &ToolEntry::length_wear_mm, OffsetMemory::A},
-                                       {10, &ToolEntry::length_mm, OffsetMemory::B},
-                                       {11, &ToolEntry::length_wear_mm, OffsetMemory::A},
-                                       {12, &ToolEntry::radius_mm, OffsetMemory::C},
-                                       {13, &ToolEntry::radius_wear_mm, OffsetMemory::C}};
+constexpr OffsetForm kOffsetForms[] = {
+    {1, &ToolEntry::length_wear_mm, false, OffsetMemory::A},
+    {10, &ToolEntry::length_mm, false, OffsetMemory::B},
+    {11, &ToolEntry::length_wear_mm, false, OffsetMemory::A},
+    {12, &ToolEntry::radius_mm, true, OffsetMemory::C},
+    {13, &ToolEntry::radius_wear_mm, true, OffsetMemory::C},
+};
 
 }  // namespace
 

@@ -10,6 +10,7 @@ namespace g31::fanuc {
 struct OffsetForm {
   int l;
   double runtime::ToolEntry::*field;
+  bool is_radius;
   runtime::OffsetMemory from;
 };
 

@@ -25,7 +25,8 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   }
   const runtime::ToolEntry entry = control.offsets.get(number.value());
   const double before = control.modal.incremental() ? entry.*form.field : 0.0;
-  const double value = before + control.scale.length_mm(*r);
+  const double share = form.is_radius && control.profile.enters_diameters ? 0.5 : 1.0;
+  const double value = before + share * control.scale.length_mm(*r);
   const double most =
       control.profile.offset_limit_mm * (control.scale.unit == LengthUnit::Inch ? kInchLimit : 1.0);
   if (std::abs(value) >= most) {

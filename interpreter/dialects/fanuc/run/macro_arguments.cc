@@ -29,7 +29,9 @@ double argument_value(const Control& control, const EvaluatedWord& word) {
   if (kIncrementArguments.find(word.letter) != std::string_view::npos) {
     return control.scale.length(word);
   }
-  return word.letter == 'E' || word.letter == 'F' ? written_feed(control, word) : word.number;
+  const bool is_feed = word.letter == 'E' || word.letter == 'F';
+  return is_feed && control.profile.counts_feed_arguments ? written_feed(control, word)
+                                                          : word.number;
 }
 
 MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
@@ -102,7 +104,7 @@ void MacroArguments::keep_words() {
     const int variable = argument_variable(word.letter);
     if (variable != 0) {
       control_.modal.arguments.at(static_cast<std::size_t>(variable)) =
-          argument_value(control_, word);
+          word.letter == 'F' ? written_feed(control_, word) : argument_value(control_, word);
     }
   }
 }

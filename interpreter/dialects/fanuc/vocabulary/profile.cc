@@ -156,6 +156,10 @@ constexpr Profile haas() {
   profile.has_local_calls = true;
   // Mill operator's manual 96-8000, last block (modal) address data: D is #4107, I #4104
   profile.keeps_all_words = true;
+  // Mill operator's manual 96-8000, integer argument passing: D E F H L M S T count ones
+  profile.counts_feed_arguments = false;
+  // Mill operator's manual 96-8000, G10: G10 L12 P5 R.375 sets the diameter of tool 5
+  profile.enters_diameters = true;
   profile.calls = {9, 9, 9};  // alarm 307: nine levels; published suites call macros five deep
   profile.checks_skip_signal = true;
   profile.marks_latched_point = true;

@@ -156,7 +156,9 @@ struct Profile {
   bool codes_before_call = false;     ///< G54 G65 P..: the codes before G65 take effect first
   bool keeps_all_words = false;       ///< #4101 to #4126 show the last word of every letter
   bool has_local_calls = false;  ///< M97 P: a subprogram in the same text; M96 P Q: a jump by input
-  char start_letter = 'Q';       ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+  /// E and F of a call without a point are counted as F is; else they are as written (MB-196).
+  bool counts_feed_arguments = true;
+  char start_letter = 'Q';  ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
 
   bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
@@ -175,6 +177,7 @@ struct Profile {
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles
+  bool enters_diameters = false;    ///< R of G10 L12 and L13 is a diameter; else a radius
   double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
   bool pecks_shrink = false;        ///< G73 and G83 take I J K in the place of Q
