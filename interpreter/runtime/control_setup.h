@@ -74,6 +74,7 @@ struct RefusedSetting {
 struct ControlSetup {
   std::string profile;    ///< "" = chosen by content and file ending
   std::string increment;  ///< "IS-A", "IS-B", "IS-C" or "" = profile's
+  std::string axes;       ///< letters in the order of controlled axes; "" = X Y Z A B C
   OffsetMemory offset_memory = OffsetMemory::C;
   int lookahead_blocks = 0;  ///< NC blocks buffered behind the running one; 0: every read waits
   FeedSwitches feed_switches;

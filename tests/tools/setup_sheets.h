@@ -18,6 +18,7 @@ inline constexpr const char* kEveryKey = R"([control]
 profile = "fanuc-16i"
 increment = "IS-C"
 offset_memory = "B"
+axes = "XYZB"
 lookahead = 3
 feed_override = 80.0
 dry_run = 1500.0

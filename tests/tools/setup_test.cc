@@ -57,6 +57,7 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.profile, "fanuc-16i");
   EXPECT_EQ(control.increment, "IS-C");
   EXPECT_EQ(control.offset_memory, runtime::OffsetMemory::B);
+  EXPECT_EQ(control.axes, "XYZB");
   EXPECT_EQ(control.block_skip, (std::set<int>{1, 9}));
   EXPECT_EQ(control.lookahead_blocks, 3);
   EXPECT_EQ(control.feed_switches.override_percent, 80.0);

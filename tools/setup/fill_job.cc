@@ -37,6 +37,7 @@ runtime::OffsetMemory offset_memory_from(const std::string& name) {
 void fill_control(runtime::ControlSetup& control, const TableKeys& keys) {
   control.profile = keys.get(KeyId::ControlProfile, control.profile);
   control.increment = keys.get(KeyId::ControlIncrement, control.increment);
+  control.axes = keys.get(KeyId::ControlAxes, control.axes);
   if (const Entry* const memory = keys.find(KeyId::ControlOffsetMemory)) {
     control.offset_memory = offset_memory_from(std::get<std::string>(memory->value));
   }

@@ -131,6 +131,20 @@ void take_centre_settings(Control& control) {
   }
 }
 
+/// Those that g31 does not have, or that change nothing.
+void tell_unknown_parameters(Control& control, const runtime::ControlSetup& setup) {
+  for (const auto& [name, value] : setup.parameters) {
+    int number = 0;
+    std::from_chars(name.data(), name.data() + name.size(), number);
+    const ParameterInfo* const row = find_parameter(number);
+    if (row == nullptr || row->is_idle) {
+      control.diagnostics.push_back(
+          make_diagnostic(source::DiagnosticId::UnknownParameter, {}, name));
+      control.diagnostics.back().setting = "parameters." + name;
+    }
+  }
+}
+
 }  // namespace
 
 Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
@@ -152,16 +166,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
     return refused;
   }
   Control& control = runner_->control();
-  for (const auto& [name, value] : setup.parameters) {
-    int number = 0;
-    std::from_chars(name.data(), name.data() + name.size(), number);
-    const ParameterInfo* const row = find_parameter(number);
-    if (row == nullptr || row->is_idle) {
-      control.diagnostics.push_back(
-          make_diagnostic(source::DiagnosticId::UnknownParameter, {}, name));
-      control.diagnostics.back().setting = "parameters." + name;
-    }
-  }
+  tell_unknown_parameters(control, setup);
   Parameters parameters = given.value();
   parameters.set_reference(setup.q_M_reference);
   fill_kinematics(parameters, setup.kinematics);
@@ -170,6 +175,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }
+  control.set_controlled_axes(setup.axes);
   control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
   control.feed_switches = setup.feed_switches;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -115,6 +117,16 @@ struct Control : ControlState {
   /// The machine compensates, and axes have arrived, as the parameters say now.  Fails where they
   /// contradict each other; the tables that were in force stay then.
   MaybeFailure tell_machine();
+  /// Which axis #5001 and the like are of, which the next number.
+  /// @param letters  none twice; "": X Y Z A B C
+  void set_controlled_axes(std::string_view letters);
+  /// Storage index of a controlled axis; nullopt: there is none of this number.  @param index  from
+  /// 0
+  [[nodiscard]] std::optional<int> controlled_axis(int index) const {
+    return index >= 0 && index < controlled_axis_count_
+               ? std::optional(controlled_axes_[static_cast<std::size_t>(index)])
+               : std::nullopt;
+  }
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
   void set_offset_memory(OffsetMemory memory);
   /// G20, G21
@@ -149,6 +161,8 @@ struct Control : ControlState {
   void choose_system_variables();
 
   machine::AxisChainSetup sheet_kinematics_;
+  std::array<int, kAxisCount> controlled_axes_ = {0, 1, 2, 3, 4, 5};  ///< storage indices
+  int controlled_axis_count_ = static_cast<int>(kAxisCount);
   bool compensates_ = false;  // the machine has tables
   machine::AxisData of_machine_ = port.axis_data();
 

@@ -33,7 +33,7 @@ struct OffsetPlace {
   int axis;
 };
 
-std::optional<OffsetPlace> offset_place(const Place& place) {
+std::optional<OffsetPlace> offset_place(const Control& control, const Place& place) {
   OffsetPlace found{};
   if (place.row.shows == Shows::LegacyOffset) {
     const int index = place.number - kFirstLegacy;
@@ -45,7 +45,8 @@ std::optional<OffsetPlace> offset_place(const Place& place) {
     const int index = place.number - kFirstWorkOffset;
     found = {index / kNumbersPerSystem, index % kNumbersPerSystem};
   }
-  return found.axis < static_cast<int>(kAxisCount) ? std::optional(found) : std::nullopt;
+  const auto axis = control.controlled_axis(found.axis);
+  return axis ? std::optional(OffsetPlace{found.system, *axis}) : std::nullopt;
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ WriteResult write_tool_entry(Control& control, const Place& place, Cell value) {
 }
 
 ReadResult read_work_offset(Control& control, const Place& place) {
-  const auto offset = offset_place(place);
+  const auto offset = offset_place(control, place);
   if (!offset) {
     return AlarmId::IllegalVariable;
   }
@@ -74,7 +75,7 @@ ReadResult read_work_offset(Control& control, const Place& place) {
 
 WriteResult write_work_offset(Control& control, const Place& place, Cell value) {
   control.use_measured();
-  const auto offset = offset_place(place);
+  const auto offset = offset_place(control, place);
   if (!offset) {
     return AlarmId::IllegalVariable;
   }
@@ -85,20 +86,18 @@ WriteResult write_work_offset(Control& control, const Place& place, Cell value) 
 }
 
 ReadResult read_local_shift(Control& control, const Place& place) {
-  const int axis = place.index();
-  if (axis >= static_cast<int>(kAxisCount)) {
-    return AlarmId::IllegalVariable;
-  }
-  return Cell(control.shown(axis, control.coordinates.local_shift()[axis]));
+  const auto axis = control.controlled_axis(place.index());
+  return axis ? ReadResult(Cell(control.shown(*axis, control.coordinates.local_shift()[*axis])))
+              : AlarmId::IllegalVariable;
 }
 
 WriteResult write_local_shift(Control& control, const Place& place, Cell value) {
   control.use_measured();
-  const int axis = place.index();
-  if (axis >= static_cast<int>(kAxisCount)) {
+  const auto axis = control.controlled_axis(place.index());
+  if (!axis) {
     return AlarmId::IllegalVariable;
   }
-  control.coordinates.set_local_shift(axis, control.stored(axis, value.or_zero()));
+  control.coordinates.set_local_shift(*axis, control.stored(*axis, value.or_zero()));
   return std::nullopt;
 }
 

@@ -5,11 +5,8 @@ namespace {
 
 ReadResult axis_of(Control& control, const Place& place, const AxisPositions& q) {
   control.position_read();
-  const int axis = place.index();
-  if (axis >= static_cast<int>(kAxisCount)) {
-    return AlarmId::IllegalVariable;
-  }
-  return Cell(control.shown(axis, q[axis]));
+  const auto axis = control.controlled_axis(place.index());
+  return axis ? ReadResult(Cell(control.shown(*axis, q[*axis]))) : AlarmId::IllegalVariable;
 }
 
 }  // namespace

@@ -84,6 +84,9 @@ void configure_data(Runner& runner, const runtime::ControlSetup& setup,
     assignments.emplace_back(
         fmt::format("$MA_POS_LIMIT_PLUS[{}]={}", letter, written_number(limits.second)), key);
   }
+  if (!setup.axes.empty()) {
+    refused.push_back({"control.axes", "numbers of axes are of a Fanuc and its like"});
+  }
   if (setup.rapids) {
     const int is_straight = *setup.rapids == machine::RapidPath::Straight ? 1 : 0;
     assignments.emplace_back(fmt::format("$MC_G0_LINEAR_MODE={}", is_straight), "control.rapids");
