@@ -300,13 +300,28 @@ TEST(Check, AFolderIsAllProgramsBelowIt) {
   folder.write("a/G.DEF", "DEF NCK REAL\n");
   folder.write("a/notes.txt", "GOTO 3\n");
   folder.write("table.def", "ROW(1)\n");
+  folder.write("m.txt", "%\nO5(M)\nGOTO 4\n%\n");
+  folder.write("a/n.prg", "%_N_N_MPF\nGOTO GONE\n");
+  folder.write("page.ps", "%!PS\nGOTO 5\n");
+  folder.write("result.prn", "%\nX10.000\nGOTO 6\n%\n");
+  folder.write("thesis.tex", "% O1\nGOTO 7\n");
   const CheckOutput output = checked_files({folder.path("")});
   const auto found = places(output.text, folder);
-  ASSERT_EQ(found.size(), 4U) << output.text;
-  EXPECT_TRUE(found[0].starts_with("z.nc:2:6:"));
-  EXPECT_TRUE(found[1].starts_with("a/G.DEF:1:"));
-  EXPECT_TRUE(found[2].starts_with("a/P.MPF:1:6:"));
-  EXPECT_TRUE(found[3].starts_with("a/b/O1234:2:6:"));
+  ASSERT_EQ(found.size(), 6U) << output.text;
+  EXPECT_TRUE(found[0].starts_with("m.txt:3:6:")) << found[0];
+  EXPECT_TRUE(found[1].starts_with("z.nc:2:6:"));
+  EXPECT_TRUE(found[2].starts_with("a/G.DEF:1:"));
+  EXPECT_TRUE(found[3].starts_with("a/P.MPF:1:6:"));
+  EXPECT_TRUE(found[4].starts_with("a/n.prg:2:6:")) << found[4];
+  EXPECT_TRUE(found[5].starts_with("a/b/O1234:2:6:"));
+}
+
+TEST(Check, AFolderWithoutAProgramIsNoCheckedOne) {
+  TemporaryFolder folder;
+  folder.write("part.dat", "GOTO 1\n");
+  const CheckOutput output = checked_files({folder.path("")});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("no program is in this folder"), std::string::npos) << output.errors;
 }
 
 TEST(Check, DefinitionFilesOfASisterFolderHoldForTheProgramsOfAFolder) {

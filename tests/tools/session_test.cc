@@ -269,7 +269,7 @@ TEST(Session, RefusalsSayWhatIsWrongAndWhere) {
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().ending, Ending::BadInput);
   EXPECT_EQ(render(missing.error()),
-            "g31: error: cannot read the program " + folder.path("none.nc") + "\n");
+            "g31: error: cannot read the program " + folder.path("none.nc") + ": no such file\n");
   const std::string program = folder.write("a.nc", "O0001\nM30\n");
   const auto library = open_programs(control, {{program}, {folder.path("none")}}, disk);
   ASSERT_FALSE(library.ok());

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "machine/base/letters.h"
+#include "machine/base/utf_8.h"
 #include "tools/disk/disk.h"
 
 namespace g31::check {
@@ -23,9 +25,12 @@ bool is_sinumerik(const std::string& ending) {
   return is_one_of(ending, {".mpf", ".spf", ".arc"});
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// O1234, O1234.txt
 bool has_program_number(const std::string& stem) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   return stem.size() > 1 && stem.front() == 'o' &&
          std::all_of(stem.begin() + 1, stem.end(), is_digit);
 }
@@ -54,6 +59,28 @@ bool is_program(const fs::path& path) {
   const std::string ending = in_small_letters(path.extension().string());
   return is_sinumerik(ending) || has_program_number(in_small_letters(path.stem().string())) ||
          is_one_of(ending, {".nc", ".cnc", ".tap", ".eia", ".iso", ".ncc", ".min"});
+}
+
+/// %, and O1234 or :1234 in the next line with text; or the header of a SINUMERIK's program.  Other
+/// texts begin with %, too.
+bool begins_as_program(const fs::path& path) {
+  constexpr std::size_t kLook = 512;
+  constexpr std::string_view kHeader = "%_N_";
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kLook, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  std::string_view text = head;
+  text.remove_prefix(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+  if (in_capitals(text.substr(0, kHeader.size())) == kHeader) {
+    return true;
+  }
+  const std::size_t number = text.find_first_not_of(" \t\r\n", 1);
+  const bool has_line = text.starts_with('%') && number != std::string_view::npos &&
+                        text.substr(0, number).find('\n') != std::string_view::npos;
+  return has_line && number + 1 < text.size() &&
+         std::string_view("Oo:").find(text[number]) != std::string_view::npos &&
+         is_digit(text[number + 1]);
 }
 
 /// All files of a folder and those below it; links to folders are not followed.
@@ -94,7 +121,7 @@ std::vector<std::string> programs_below(const std::string& folder,
     const Company company{has_sinumerik(folder_files), among_sinumerik};
     std::ranges::sort(files);
     for (const fs::path& file : files) {
-      if (is_program(file) || is_definition(file, company)) {
+      if (is_program(file) || is_definition(file, company) || begins_as_program(file)) {
         found.push_back(file.lexically_normal().string());
       }
     }
@@ -117,7 +144,12 @@ ProgramPaths program_paths(const std::vector<std::string>& named) {
   for (const std::string& name : named) {
     std::error_code error;
     if (fs::is_directory(name, error)) {
-      std::ranges::for_each(programs_below(name, paths.closed), add);
+      const std::size_t closed = paths.closed.size();
+      const std::vector<std::string> found = programs_below(name, paths.closed);
+      std::ranges::for_each(found, add);
+      if (found.empty() && paths.closed.size() == closed) {
+        paths.empty.push_back(name);
+      }
     } else if (name == "-" || fs::exists(name, error)) {
       if (add(name)) {
         paths.named.push_back(name);

@@ -16,11 +16,13 @@ struct ProgramPaths {
     std::string why;  ///< in the system's words
   };
   std::vector<Closed> closed;
+  std::vector<std::string> empty;  ///< folders that are named and hold no program
 };
 
 /// Files that are named, and the programs in folders and the folders below them, which are told by
 /// their names: O1234 with any ending, .nc and its like, .MPF, .SPF, .ARC, .DEF beside those three,
-/// and MGUD.DEF, UMAC.DEF and their like in a folder that has those three anywhere.
+/// and MGUD.DEF, UMAC.DEF and their like in a folder that has those three anywhere.  Other texts
+/// are told by how they begin.
 ProgramPaths program_paths(const std::vector<std::string>& named);
 
 }  // namespace g31::check

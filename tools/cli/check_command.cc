@@ -110,11 +110,16 @@ std::vector<session::Refusal> left_out(const check::Request& request,
   for (const std::string& path : request.paths.missing) {
     all.push_back(session::bad_input(fmt::format("{}: no such file or folder", path)));
   }
+  for (const std::string& folder : request.paths.empty) {
+    all.push_back(session::bad_input(fmt::format(
+        "{}: no program is in this folder; g31 check --help says which files are programs",
+        folder)));
+  }
   for (const auto& [folder, why] : request.paths.closed) {
     all.push_back(session::closed_folder(folder, why));
   }
   for (const std::string& path : checked.unreadable) {
-    all.push_back(session::bad_input(fmt::format("cannot read the program {}", path)));
+    all.push_back(session::unreadable_program(path));
   }
   return all;
 }

@@ -144,6 +144,15 @@ std::optional<std::string> Disk::read_part(const std::string& named, std::uint64
   return part;
 }
 
+std::string why_unreadable(const std::string& path) {
+  std::error_code ignored;
+  if (path != "-" && fs::is_directory(path, ignored)) {
+    return "it is a folder";
+  }
+  return path == "-" || fs::exists(path, ignored) ? "it cannot be opened, or not be read to its end"
+                                                  : "no such file";
+}
+
 std::optional<std::string> look_into(const std::string& folder,
                                      const std::function<void(const fs::directory_entry&)>& look) {
   const std::string path = folder.empty() ? "." : real_path(folder);

@@ -37,6 +37,9 @@ std::optional<std::string> look_into(
     const std::string& folder,
     const std::function<void(const std::filesystem::directory_entry&)>& look);
 
+/// Why read() has not read a file, for people.
+std::string why_unreadable(const std::string& path);
+
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
 /// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it
 /// could not be written; nullopt: it was

@@ -49,7 +49,7 @@ std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths
                                      source::FileSystem& files, const std::string& shipped) {
   for (const std::string& program : paths.programs) {
     if (library.add_file(program) == Library::Added::Unreadable) {
-      return bad_input(fmt::format("cannot read the program {}", program));
+      return unreadable_program(program);
     }
   }
   library.add_folder(std::filesystem::path(paths.programs.front()).parent_path().string());

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
+#include "tools/disk/disk.h"
 
 namespace g31::session {
 
@@ -16,6 +17,10 @@ Refusal bad_input(std::string message) {
 
 Refusal closed_folder(const std::string& folder, const std::string& why) {
   return bad_input(fmt::format("cannot read the folder {}: {}", folder, why));
+}
+
+Refusal unreadable_program(const std::string& path) {
+  return bad_input(fmt::format("cannot read the program {}: {}", path, disk::why_unreadable(path)));
 }
 
 Refusal bad_setup(std::string message) {

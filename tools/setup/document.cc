@@ -1,7 +1,6 @@
 #include "tools/setup/document.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <type_traits>
 #include <utility>
 
@@ -38,21 +37,12 @@ struct FileText {
 FileText read_file(const std::string& path) {
   constexpr const char* kTooLarge = "it is larger than 16 MiB";
   disk::Disk disk;
-  if (path != "-") {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-      return {{}, "it is a folder"};
-    }
-    if (!std::filesystem::exists(path, ignored)) {
-      return {{}, "no such file"};
-    }
-  }
   if (disk.size(path).value_or(0) > kLargestSheetBytes) {
     return {{}, kTooLarge};
   }
   auto text = disk.read(path);
   if (!text) {
-    return {{}, "it cannot be opened, or not be read to its end"};
+    return {{}, disk::why_unreadable(path)};
   }
   if (text->size() > kLargestSheetBytes) {
     return {{}, kTooLarge};
