@@ -193,6 +193,75 @@ TEST(Characteristics, ThatAreNotReachedAreNoGoodOnes) {
   EXPECT_NE(output.errors.find("got no number"), std::string::npos) << output.errors;
 }
 
+// A SINUMERIK's variables are 0 before anything is measured, which is a good deviation.
+TEST(Characteristics, AreWhatTheRunHasWrittenNotWhatStoodThereBefore) {
+  const std::string rows =
+      "[control]\nprofile = \"sinumerik-828d\"\n"
+      "[[characteristic]]\nname = \"top\"\nvariable = \"R16\"\nnominal = 0.0\ntolerance = 0.02\n"
+      "[[characteristic]]\nname = \"side\"\nvariable = \"_ovr[21]\"\nnominal = 0.0\n"
+      "tolerance = 0.02\n";
+  const struct {
+    const char* program;
+    const char* top;
+    const char* side;
+  } cases[] = {
+      {"M30\n", "missing", "missing"},
+      {"R16=0\n_OVR[21]=0\nM30\n", "good", "good"},
+      {"R[16]=0.01\nM30\n", "good", "missing"},
+      {"R17=16\nR[R17]=0\n_OVR[20]=0\nM30\n", "good", "missing"},
+      {"_OVR[21]=0\nR16=1/0\nM30\n", "missing", "good"},
+      {"_OVR[0]=SET(1,2)\nR16=0.03\nM30\n", "bad", "missing"},
+  };
+  for (const auto& given : cases) {
+    SCOPED_TRACE(given.program);
+    const TemporaryFolder folder;
+    const auto sheet = folder.write("sheet.toml", rows);
+    const auto output =
+        g31({"run", folder.write("P.MPF", given.program), "-s", sheet, "--json", "-"});
+    const json found = json::parse(output.out).at("characteristics");
+    EXPECT_EQ(found.at(0).at("verdict"), given.top);
+    EXPECT_EQ(found.at(1).at("verdict"), given.side);
+    const bool is_missed =
+        output.errors.find("the run has written nothing to ") != std::string::npos;
+    EXPECT_EQ(is_missed, found.at(0).at("actual").is_null() || found.at(1).at("actual").is_null());
+  }
+}
+
+TEST(Characteristics, OfVariablesThatAreKeptOverPowerOffAreThoseOfThisRun) {
+  const TemporaryFolder folder;
+  const auto sheet =
+      folder.write("sheet.toml",
+                   "[control]\nprofile = \"fanuc-30i\"\nvariables_file = \"kept.vars\"\n"
+                   "[[characteristic]]\nname = \"top\"\nvariable = \"#703\"\nnominal = 0.0\n"
+                   "tolerance = 0.02\n");
+  const auto exit_code_of = [&](const char* block) {
+    return g31({"run", folder.write("p.nc", std::string("%\nO1\n") + block + "\nM30\n%\n"), "-s",
+                sheet})
+        .exit_code;
+  };
+  EXPECT_EQ(exit_code_of("#703=0.01"), 0);
+  EXPECT_EQ(exit_code_of("#702=0"), 1) << "what the run before has left";
+  EXPECT_EQ(exit_code_of("#703=0.01"), 0) << "the same value once more";
+}
+
+TEST(Characteristics, AreToldBehindWhatEndedTheProgramAndItsDetails) {
+  const TemporaryFolder folder;
+  const auto sheet = folder.write("sheet.toml",
+                                  "[[characteristic]]\nname = \"top\"\nvariable = \"#503\"\n"
+                                  "nominal = 0.0\ntolerance = 0.02\n");
+  const auto program = folder.write("p.nc", "%\nO1\nG65P2A5.\nM30\nO2\n#3000=1(OFF)\nM99\n%\n");
+  const auto output = g31({"run", program, "-s", sheet});
+  EXPECT_EQ(output.exit_code, 3);
+  const std::size_t locals = output.errors.find("= with #1 = 5");
+  const std::size_t status = output.errors.find("not as expected: status");
+  ASSERT_NE(locals, std::string::npos) << output.errors;
+  ASSERT_NE(status, std::string::npos) << output.errors;
+  EXPECT_LT(locals, status) << output.errors;
+  EXPECT_NE(output.errors.find("\nerror: not as expected: status"), std::string::npos)
+      << "no row of the sheet says it:\n"
+      << output.errors;
+}
+
 TEST(Characteristics, ThatCannotBeAreRefused) {
   const std::string whole = "[[characteristic]]\nname = \"B\"\nvariable = \"#500\"\n";
   const struct {

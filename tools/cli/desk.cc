@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -98,6 +99,18 @@ std::string end_of(const report::RunResult& result) {
   return source::printable(text);
 }
 
+/// Behind the message of what ended the program; without one, before what was expected of it.
+std::size_t end_of_program(const std::vector<source::Diagnostic>& messages) {
+  const std::string_view failed = source::info(source::DiagnosticId::ExpectationFailed).code;
+  const auto first = std::ranges::find(messages, failed, &source::Diagnostic::code);
+  const auto is_error = [](const source::Diagnostic& message) {
+    return message.severity == source::Severity::Error;
+  };
+  const auto error = std::find_if(std::reverse_iterator(first), messages.rend(), is_error);
+  const auto end = error == messages.rend() ? first : error.base();
+  return static_cast<std::size_t>(end - messages.begin());
+}
+
 }  // namespace
 
 Desk::Desk(const RunOptions& options, const source::SourceMap& sources)
@@ -164,14 +177,21 @@ void Desk::print(const source::Diagnostic& message) const {
 }
 
 void Desk::tell(const report::RunResult& result, const report::RunRecorder& recorder) const {
-  if (options_.tells_findings) {
-    for (const source::Diagnostic& message : result.outcome.diagnostics) {
-      print(message);
+  const std::vector<source::Diagnostic>& messages = result.outcome.diagnostics;
+  const std::size_t end = end_of_program(messages);
+  for (std::size_t i = 0; i <= messages.size(); ++i) {
+    if (i == end && options_.talk != Talk::Quiet) {
+      tell_details(result, recorder);
+    }
+    if (i < messages.size() && options_.tells_findings) {
+      print(messages[i]);
     }
   }
-  if (options_.talk == Talk::Quiet) {
-    return;
-  }
+}
+
+/// Belongs to what ended the program.
+void Desk::tell_details(const report::RunResult& result,
+                        const report::RunRecorder& recorder) const {
   if (const auto& fault = recorder.fault()) {
     say(fmt::format("      = at {} in work coordinates, {} in those of the machine\n",
                     shown_axes(fault->view.q_L), shown_axes(fault->q_M_at)));

@@ -42,6 +42,7 @@ class Desk {
  private:
   [[nodiscard]] std::string place(source::Location where) const;
   void print(const source::Diagnostic& message) const;
+  void tell_details(const report::RunResult& result, const report::RunRecorder& recorder) const;
   void say(const std::string& text) const;
 
   const RunOptions& options_;

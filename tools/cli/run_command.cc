@@ -84,7 +84,8 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
 }
 
 /// What the run came to, with what was found before it, without what is allowed.
-session::Heard carried_out(const OpenedRun& opened, Desk& desk) {
+/// @param watch  hears the run, if need be
+session::Heard carried_out(const OpenedRun& opened, Desk& desk, ResultWatch& watch) {
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
   budget.wall_seconds = opened.time.left_s();
@@ -92,10 +93,11 @@ session::Heard carried_out(const OpenedRun& opened, Desk& desk) {
     desk.progress(blocks, opened.machine.time_s());
   };
   budget.progress = &progress;
+  runtime::BlockListener* const listener =
+      watch.is_needed() ? &watch : static_cast<runtime::BlockListener*>(opened.chronicle);
   session::ProgramComments comments(opened.sources.files(), opened.prepared.control);
   session::Heard heard = session::heard(
-      session::with_findings(opened.world.findings,
-                             opened.run.session().run(budget, opened.chronicle)),
+      session::with_findings(opened.world.findings, opened.run.session().run(budget, listener)),
       comments, opened.options.programs.front(), opened.options.allowed, opened.sources);
   desk.give_way();
   if (opened.chronicle != nullptr) {
@@ -184,7 +186,10 @@ std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs
 
 ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   const RunState before = opened.options.changes ? state_of(opened.run.session()) : RunState();
-  const session::Heard heard = carried_out(opened, outputs.desk);
+  ResultWatch watch(
+      opened.expectations, [&](const std::string& name) { return value_of(opened, name); },
+      opened.chronicle);
+  const session::Heard heard = carried_out(opened, outputs.desk, watch);
   // Which programs are called shows while it runs.
   if (const auto wrong = wrong_place_of(opened.options,
                                         {opened.disk.paths().begin(), opened.disk.paths().end()})) {
@@ -197,7 +202,7 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
     unwritten = exit_code_of(with_ended_wait(problems.front()).ending);
   }
   const auto unread = add_values(opened, before, result);
-  const expect::Actual actual = actual_of(opened, heard.outcome);
+  const expect::Actual actual = actual_of(opened, heard.outcome, watch);
   result.expectations = expect::judge(opened.expectations, actual);
   result.characteristics = expect::measured(opened.expectations, actual);
   ExitCode code = exit_code_of(heard.outcome, {opened.options.fail_on, opened.expectations,

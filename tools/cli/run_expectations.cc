@@ -96,13 +96,20 @@ Result<expect::Expectations, Refusal> expectations_of(
   return all;
 }
 
-expect::Actual actual_of(const OpenedRun& opened, const runtime::Outcome& outcome) {
+std::optional<runtime::ShownValue> value_of(const OpenedRun& opened, const std::string& name) {
+  const auto value = opened.run.session().variable(name);
+  return value ? std::optional(value.value()) : std::nullopt;
+}
+
+expect::Actual actual_of(const OpenedRun& opened, const runtime::Outcome& outcome,
+                         const ResultWatch& watch) {
   expect::Actual actual;
   actual.status = session::status_name(outcome);
   actual.alarm = outcome.alarm ? std::optional(outcome.alarm->number) : std::nullopt;
-  actual.variable = [&](const std::string& name) -> std::optional<runtime::ShownValue> {
-    const auto value = opened.run.session().variable(name);
-    return value ? std::optional(value.value()) : std::nullopt;
+  actual.variable = [&](const std::string& name) { return value_of(opened, name); };
+  actual.result = [&](const std::string& name) {
+    auto value = value_of(opened, name);
+    return value && watch.is_from_before(name, *value) ? std::nullopt : std::move(value);
   };
   actual.work_offset = [&](const std::string& name, char axis) {
     return opened.run.session().work_offset(name, axis_index(axis));
@@ -127,6 +134,9 @@ std::vector<source::Diagnostic> failures_of(const std::vector<expect::Judged>& j
           source::DiagnosticId::ExpectationFailed, {},
           fmt::format("{}: expected {}, got {}", row.name, row.expected, row.got)));
       failures.back().in_sheet = row.place;
+      if (!row.remedy.empty()) {
+        failures.back().remedy = row.remedy;
+      }
     }
   }
   return failures;

@@ -94,7 +94,12 @@ Judged judged_limits(const MeasuredCharacteristic& row) {
           fmt::format("{} {:+} {:+}{}", *what.nominal, what.tolerance->lower, what.tolerance->upper,
                       unit),
           row.actual ? fmt::format("{}{}", *row.actual, unit) : std::string("no number"),
-          row.verdict() == CharacteristicVerdict::Good, what.place};
+          row.verdict() == CharacteristicVerdict::Good,
+          what.place,
+          row.actual ? ""
+                     : fmt::format("the run has written nothing to {}: see how it ended, or which "
+                                   "block is to write it",
+                                   what.variable)};
 }
 
 /// Looks at one of each kind.
@@ -200,7 +205,7 @@ std::vector<MeasuredCharacteristic> measured(const Expectations& expectations,
                                              const Actual& actual) {
   std::vector<MeasuredCharacteristic> all;
   for (const Characteristic& what : expectations.characteristics) {
-    const auto value = actual.variable(what.variable);
+    const auto value = actual.result(what.variable);
     const auto* const cell = value ? std::get_if<Cell>(&*value) : nullptr;
     all.push_back(
         {what, cell != nullptr && !cell->is_vacant() ? std::optional(cell->raw()) : std::nullopt});
@@ -218,8 +223,11 @@ std::vector<Judged> judge(const Expectations& expectations, const Actual& actual
   }
   if (!(expectations.rows.empty() && limited.empty()) && !expectations.names_an_ending()) {
     all.push_back(Judge{actual}(Status{"completed"}));
-    all.back().place =
-        expectations.rows.empty() ? limited.front().place : expectations.rows.front().place;
+    if (expectations.rows.empty()) {
+      all.back().remedy = "what a program measures counts when it completes; [expect] may say more";
+    } else {
+      all.back().place = expectations.rows.front().place;
+    }
   }
   for (const Expectation& row : expectations.rows) {
     all.push_back(std::visit(Judge{actual}, row.what));

@@ -108,6 +108,8 @@ struct Actual {
   std::optional<int> alarm;
   /// The value of a variable; nullopt: it cannot be read.
   std::function<std::optional<runtime::ShownValue>(const std::string& name)> variable;
+  /// The same of a characteristic; nullopt also: it is from before the run.
+  std::function<std::optional<runtime::ShownValue>(const std::string& name)> result;
   /// mm or deg; nullopt: there is no such offset.
   std::function<std::optional<double>(const std::string& name, char axis)> work_offset;
   /// The content of a file; nullopt: it cannot be read.
@@ -125,6 +127,7 @@ struct Judged {
   std::string got;
   bool holds = false;
   source::ShownPlace place;
+  std::string remedy = {};  ///< where it does not hold; "": what is expected may have to change
 };
 
 /// What the run came to of each characteristic, in their order.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "interpreter/source/readable_text.h"
 #include "tools/page/file_names.h"
 #include "tools/page/run_report.h"
@@ -39,6 +41,25 @@ std::vector<Finding> refused_findings(const report::RunResult& result,
   return findings;
 }
 
+/// The programs in which something is wrong, each once; sheets are none.
+std::vector<Listing> refused_listings(const report::RunResult& result,
+                                      const source::SourceMap& sources) {
+  std::vector<std::string> files;
+  for (const source::Diagnostic& message : result.outcome.diagnostics) {
+    const source::ShownPlace place = sources.show(message.where);
+    if (!place.file.empty() && std::ranges::find(files, place.file) == files.end()) {
+      files.push_back(place.file);
+    }
+  }
+  std::vector<Listing> listings;
+  for (const std::string& file : files) {
+    if (const auto text = sources.files().read(file)) {
+      listings.push_back({without_folder(file), source::readable_text(*text), {}, {}});
+    }
+  }
+  return listings;
+}
+
 }  // namespace
 
 Finding finding_of(const source::Diagnostic& message, const FileNames& names,
@@ -75,6 +96,7 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
       {std::string(text_of(Word::Version, language)), result.version},
   };
   report.command = command;
+  report.listings = refused_listings(result, sources);
   for (const report::InputFile& file : result.inputs) {
     report.inputs.push_back(
         {file.file, std::string(text_of(Word::InputRead, language)), file.sha256});

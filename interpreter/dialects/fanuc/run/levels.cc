@@ -20,6 +20,9 @@ MaybeFailure Levels::enter(const Entry& entry) {
     failure.detail = together ? fmt::format("calls nest at most {} deep", most.together)
                               : fmt::format("{} nest at most {} deep",
                                             is_macro ? "macros" : "subprograms", limit);
+    if (entry.program == frame().program) {
+      failure.detail += fmt::format(", and O{:04} calls itself", entry.program->number);
+    }
     return failure;
   }
   if (is_macro) {
