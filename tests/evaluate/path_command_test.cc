@@ -75,6 +75,57 @@ TEST(EvaluateSquare, NamesItsCornersCounterClockwise) {
   EXPECT_NEAR(output.value("corner_error_max"), -10.0 * std::sqrt(2.0), 1e-6);
 }
 
+/// A way from inside that ends in the middle of the first side, and the square from `begin` mm
+/// behind it, a row each `step` mm.
+std::string walked_square(double lead, double begin, double step) {
+  std::string text = "t,X,Y\n";
+  int row = 0;
+  const auto add = [&](double x, double y) {
+    text += fmt::format("{:.3f},{:.9f},{:.9f}\n", 1e-3 * row++, x, y);
+  };
+  for (double place = lead; place > 0.5 * step; place -= step) {
+    add(50.0 - place, 0.0);
+  }
+  for (int i = 0; i * step < 400.0 + 0.5 * step; ++i) {
+    const double s = std::fmod(i * step + begin + 50.0, 400.0);
+    const double q = std::fmod(s, 100.0) - 50.0;
+    const double x = s < 100.0 ? 50.0 : s < 200.0 ? -q : s < 300.0 ? -50.0 : q;
+    const double y = s < 100.0 ? q : s < 200.0 ? 50.0 : s < 300.0 ? -q : -50.0;
+    add(x, y);
+  }
+  return text;
+}
+
+TEST(EvaluateSquare, SaysWhatDoesNotCount) {
+  cli::EvaluateOptions options = of_kind("square");
+  options.given[OptionId::Side] = "100";
+  const EvaluateOutput output = evaluate_text(walked_square(50.0, 0.0, 0.02), options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(output.value("centre_x"), 0.0, 1e-6);
+  EXPECT_NEAR(output.value("corner_error_max"), 0.0, 1e-3);
+  const std::string note = output.document.at("notes")[0];
+  EXPECT_EQ(note.substr(5), " of 22501 samples lie on the square, the others do not count");
+  // Of rows 0.02 mm apart it begins and ends at those with the least error, within 0.2 mm.
+  EXPECT_NEAR(std::stoi(note), 20001, 20);
+}
+
+TEST(EvaluateSquare, SaysWhereACornerIsTakenToBeSharp) {
+  cli::EvaluateOptions options = of_kind("square");
+  options.given[OptionId::Side] = "100";
+  options.given[OptionId::Centre] = "0,0";
+  EXPECT_TRUE(evaluate_text(square_file(), options).document.at("notes").empty())
+      << "there are rows at the corners";
+  const EvaluateOutput output = evaluate_text(walked_square(0.0, 0.25, 1.0), options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(output.value("corner_error_max"), 0.0, 1e-9);
+  // The chord from 0.75 before to 0.25 behind crosses at 0.75 x 0.25 from both sides.
+  EXPECT_EQ(output.document.at("notes"),
+            std::vector<std::string>{
+                "corner_error_1, corner_error_2, corner_error_3, corner_error_4: the path turns "
+                "between two samples and is taken to be sharp there; were it rounded, by up to "
+                "265.2 um further inside, no sample would show it"});
+}
+
 TEST(EvaluateSpeed, ListsItsDips) {
   std::string text = "t,X,Y\n";
   double x = 0.0;

@@ -36,6 +36,52 @@ std::vector<Quantity> results_of(const metrology::SquareEvaluation& evaluation,
   return results;
 }
 
+/// The corners of which the path is not known between two samples, and what that may come to; as
+/// `sign` says, those taken as sharp (-1) or those taken as straight (+1).
+struct UnseenCorners {
+  std::string names;
+  double furthest_um = 0.0;
+};
+
+UnseenCorners unseen_corners(const metrology::SquareEvaluation& found, double sign) {
+  constexpr double kWorthSaying = 1.0;  // um
+  constexpr double kOfTheError = 0.01;
+  UnseenCorners unseen;
+  for (std::size_t corner = 0; corner < found.corner_unseen.size(); ++corner) {
+    const double by = kUmPerMm * sign * found.corner_unseen.at(corner);
+    const double error = kUmPerMm * found.corner_error.at(corner).value_or(0.0);
+    if (by > std::max(kWorthSaying, kOfTheError * std::abs(error))) {
+      unseen.names +=
+          fmt::format("{}corner_error_{}", unseen.names.empty() ? "" : ", ", corner + 1);
+      unseen.furthest_um = std::max(unseen.furthest_um, by);
+    }
+  }
+  return unseen;
+}
+
+std::vector<std::string> notes_of(const metrology::SquareEvaluation& found, std::size_t samples) {
+  std::vector<std::string> notes;
+  const std::size_t on_square = found.on_square.end - found.on_square.begin;
+  // Standstill at the ends is nothing to speak of.
+  if (on_square + samples / 50 < samples) {
+    notes.push_back(fmt::format("{} of {} samples lie on the square, the others do not count",
+                                on_square, samples));
+  }
+  if (const UnseenCorners sharp = unseen_corners(found, -1.0); !sharp.names.empty()) {
+    notes.push_back(fmt::format(
+        "{}: the path turns between two samples and is taken to be sharp there; were it rounded, "
+        "by up to {:.1f} um further inside, no sample would show it",
+        sharp.names, sharp.furthest_um));
+  }
+  if (const UnseenCorners straight = unseen_corners(found, 1.0); !straight.names.empty()) {
+    notes.push_back(fmt::format(
+        "{}: the path is rounded there and too few samples show how; it is taken to be straight "
+        "between them and may cross the diagonal up to {:.1f} um further out",
+        straight.names, straight.furthest_um));
+  }
+  return notes;
+}
+
 bool is_near(const metrology::Square& square, const Eigen::Vector2d& p) {
   const double widest = (p - square.centre).cwiseAbs().maxCoeff();
   return std::abs(widest - square.half_side) <= kNearTheSquare * square.half_side;
@@ -85,7 +131,8 @@ std::string drawing_of(const metrology::SquareEvaluation& found,
 
 PathEvaluation evaluate_square(const RecordedPath& path, const Request& request) {
   const metrology::PlaneSamples samples = path.samples();
-  const auto square = metrology::evaluate_square(samples, {request.side, point_of(request.centre)});
+  const auto square = metrology::evaluate_square(
+      samples, {request.side, point_of(request.centre), path.resolution});
   if (!square) {
     return square.error();
   }
@@ -96,6 +143,7 @@ PathEvaluation evaluate_square(const RecordedPath& path, const Request& request)
   if (request.wants_curves) {
     evaluation.curves = {ray_errors(square.value(), samples)};
   }
+  evaluation.notes = notes_of(square.value(), samples.size());
   if (request.wants_drawing) {
     evaluation.svg = drawing_of(square.value(), samples, request, evaluation);
   }
