@@ -265,6 +265,18 @@ TEST(DataTable, TellsWhatTheDigitsResolve) {
   EXPECT_DOUBLE_EQ(table.value().numbers("a")[0], 1.25e-3);
 }
 
+/// A record that begins with a standstill at 50.0 is as fine as its other rows say.
+TEST(DataTable, TellsWhatTheDigitsOfLateRowsResolve) {
+  std::string text = "a\n";
+  for (int row = 0; row < 5000; ++row) {
+    text += "50.0\n";
+  }
+  const auto table =
+      evaluate::read_table({"f", text + "49.99875\n50\n"}, {{"a", ColumnKind::Length}}, {});
+  ASSERT_TRUE(table.ok());
+  EXPECT_DOUBLE_EQ(table.value().resolution("a"), 1e-5);
+}
+
 /// Places of 1e6 mm and steps below their last digit: the zones are those of the steps.
 TEST(Records, SmallStepsFarAwayAreEvaluatedAsTheyAreAtZero) {
   const std::string rows = "K,A,B\n0,0,0\n1,0.001,0\n2,0,0.002\n3,0,0\n";

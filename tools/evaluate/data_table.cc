@@ -17,8 +17,6 @@
 namespace g31::evaluate {
 namespace {
 
-/// Rows whose digits tell the resolution.
-constexpr std::size_t kLookedAt = 1000;
 /// UTF-16 begins with its byte order mark, or has every other byte 0.
 bool is_wide(std::string_view text) {
   const std::string_view beginning = text.substr(0, 2);
@@ -44,19 +42,22 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   }
 }
 
-}  // namespace
-
-/// Digits behind the point; 15 where a power of ten moves it.
+/// Digits behind the point; the most where a power of ten moves it.  From the end, where both
+/// stand: every number of a long record is looked at.
+constexpr int kMostDecimals = 15;
 int decimals_in(std::string_view text) {
-  constexpr int kMost = 15;
-  if (text.find_first_of("eE") != std::string_view::npos) {
-    return kMost;
+  for (std::size_t i = text.size(); i-- > 0;) {
+    if (text[i] == 'e' || text[i] == 'E') {
+      return kMostDecimals;
+    }
+    if (text[i] == '.' || text[i] == ',') {
+      return std::min(static_cast<int>(text.size() - i) - 1, kMostDecimals);
+    }
   }
-  const std::size_t point = text.find_first_of(".,");
-  return point == std::string_view::npos
-             ? 0
-             : std::min(static_cast<int>(text.size() - point) - 1, kMost);
+  return 0;
 }
+
+}  // namespace
 
 /// Goes through a file line by line.
 class TableReader {
@@ -270,7 +271,8 @@ class TableReader {
       return data_error(DataErrorId::OutOfRange, file_, where(), {column.name, text});
     }
     DataTable::Column& target = table_.columns_[i];
-    if (target.numbers.size() < kLookedAt) {
+    // Any row may be the first with as many digits: a record often begins with 0 or 50.0, standing.
+    if (target.decimals < kMostDecimals) {
       target.decimals = std::max(target.decimals, decimals_in(text));
     }
     target.numbers.push_back(value);

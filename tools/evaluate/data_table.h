@@ -35,7 +35,7 @@ class DataTable {
   [[nodiscard]] bool has(std::string_view name) const;
   /// Values of a column of numbers or lengths (mm); empty where an optional one is missing.
   [[nodiscard]] const std::vector<double>& numbers(std::string_view name) const;
-  /// One step of the last digit that the first rows of a column show, as the column counts.
+  /// One step of the last digit that any row of a column shows, as the column counts.
   [[nodiscard]] double resolution(std::string_view name) const;
   [[nodiscard]] const std::vector<std::string>& texts(std::string_view name) const;
   /// The line of a row in the file, from 1.
@@ -46,7 +46,7 @@ class DataTable {
   struct Column {
     std::string name;
     bool is_there = false;
-    int decimals = 0;  // the most that the first rows show
+    int decimals = 0;  // the most that a row shows
     double unit = 1.0;
     std::vector<double> numbers;
     std::vector<std::string> texts;
