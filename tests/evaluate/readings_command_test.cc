@@ -155,6 +155,48 @@ TEST(EvaluateFlatness, OfPointsAndOfLinesOfReadings) {
   }
 }
 
+/// A row of touches that is rougher than a thousandth of its length is no face either; a wall is,
+/// whose points lie on one line in x and y: 60 mm high and bowed by 12 um.
+TEST(EvaluateFlatness, OfARoughRowIsRefusedAndOfAWallIsNot) {
+  cli::EvaluateOptions options = of_readings("flatness");
+  options.given.erase(OptionId::Step);
+  std::string row = "x,y,z\n";
+  std::string oblique = row;
+  for (int i = 0; i <= 10; ++i) {
+    const double rough = 0.012 * (i * 7 % 5 - 2);
+    row += fmt::format("{},0,{:.6f}\n", i, rough);
+    oblique += fmt::format("{},{},{:.6f}\n", i, 2 * i, 0.1 * i + rough);
+  }
+  for (const std::string& text : {row, oblique}) {
+    const EvaluateOutput output = evaluate_text(text, options);
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_NE(output.errors.find(
+                  "data.csv: error: the points lie on one line in x and y, and in z "
+                  "within a twentieth of its length; a narrow upright face is taken from its "
+                  "side with --columns y=z,z=y [DAT113]"),
+              std::string::npos)
+        << output.errors;
+  }
+  std::string wall = "x,y,z\n";
+  for (int i = 0; i <= 10; ++i) {
+    for (int k = 0; k <= 6; ++k) {
+      const double bow = 0.012 * (1.0 - (i - 5) * (i - 5) / 25.0);
+      wall += fmt::format("{},{:.6f},{}\n", 10 * i, 5.0 + bow, 10 * k);
+    }
+  }
+  EXPECT_NEAR(evaluate_text(wall, options).value("flatness_minimum_zone"), 12.0, 1e-3);
+  // A rail of 4 mm by 200 mm, from its side: bowed by 4 um.
+  std::string rail = "x,y,z\n";
+  for (int i = 0; i <= 10; ++i) {
+    for (const double z : {-2.0, 2.0}) {
+      rail += fmt::format("{},{:.6f},{}\n", 20 * i, 0.004 * (1.0 - (i - 5) * (i - 5) / 25.0), z);
+    }
+  }
+  EXPECT_EQ(evaluate_text(rail, options).exit_code, 2);
+  options.columns = {"y=z", "z=y"};
+  EXPECT_NEAR(evaluate_text(rail, options).value("flatness_minimum_zone"), 4.0, 1e-3);
+}
+
 /// A barrel of radius 10, thicker by 8 um in the middle and off the axis, on a bowed slide.
 std::string shaft_file() {
   std::string text = "K,theta,A,B\n";

@@ -53,6 +53,40 @@ Result<Points, DataError> read_lines(const DataFile& file, const Request& reques
   return points;
 }
 
+/// How far points reach from their middle, and across the line to the farthest of them.
+struct Reach {
+  double length = 0.0;
+  double width = 0.0;
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();
+};
+
+Reach reach_of(const Eigen::MatrixX2d& points) {
+  const Eigen::MatrixX2d off = points.rowwise() - points.colwise().mean().eval();
+  Eigen::Index farthest = 0;
+  Reach reach;
+  reach.length = off.rowwise().norm().maxCoeff(&farthest);
+  reach.along = off.row(farthest).transpose().normalized();
+  const Eigen::Vector2d across(-reach.along.y(), reach.along.x());
+  reach.width = (off * across).cwiseAbs().maxCoeff();
+  return reach;
+}
+
+/// Points above one line in x and y are a face only where they spread about as a face does: what a
+/// row of touches is out of straight makes a plane of its own, in which nothing deviates.
+bool is_one_row(const Points& points) {
+  constexpr double kOnALine = 1e-3;  // of the length
+  constexpr double kRoughness = 0.05;
+  const Reach seen_from_above = reach_of(points.leftCols<2>());
+  if (seen_from_above.width > kOnALine * seen_from_above.length) {
+    return false;
+  }
+  Eigen::MatrixX2d upright(points.rows(), 2);
+  upright.col(0) = points.leftCols<2>() * seen_from_above.along;
+  upright.col(1) = points.col(2);
+  const Reach seen_across = reach_of(upright);
+  return seen_across.width < kRoughness * seen_across.length;
+}
+
 /// The deviations of points with the same y, along x.
 std::vector<Curve> lines_of(const Points& points, const Eigen::VectorXd& deviations,
                             const DataFile& file) {
@@ -79,6 +113,12 @@ Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Requ
   const auto points = request.step ? read_lines(file, request) : read_points(file, request);
   if (!points) {
     return points.error();
+  }
+  if (is_one_row(points.value())) {
+    return data_error(
+        DataErrorId::CannotEvaluate, file, {},
+        {"the points lie on one line in x and y, and in z within a twentieth of its length; a "
+         "narrow upright face is taken from its side with --columns y=z,z=y"});
   }
   const auto flat = metrology::flatness_of(points.value(), file.watch);
   if (!flat) {
