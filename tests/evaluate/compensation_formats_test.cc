@@ -133,11 +133,11 @@ TEST(CompensationFormats, WhatDoesNotFitIsRefused) {
   TemporaryFolder folder;
   EXPECT_THAT(written(folder, "positioning", "heidenhain", kPositioning).errors,
               HasSubstr("--compensation-format heidenhain: a format is sheet, sinumerik, fanuc"));
-  const std::string rotary =
-      "axis,target,direction,cycle,position\nC,0,1,1,0\nC,0,1,2,0\nC,90,1,1,90\nC,90,1,2,90\n";
-  const auto output = written(folder, "positioning", "sheet", rotary);
+  const std::string other =
+      "axis,target,direction,cycle,position\nW,0,1,1,0\nW,0,1,2,0\nW,90,1,1,90\nW,90,1,2,90\n";
+  const auto output = written(folder, "positioning", "sheet", other);
   EXPECT_EQ(output.exit_code, 2);
-  EXPECT_THAT(output.errors, HasSubstr("ECC is compensated on no machine of g31"));
+  EXPECT_THAT(output.errors, HasSubstr("EWW is compensated on no machine of g31"));
   const std::string one = "axis,target,direction,cycle,position\nX,0,1,1,0\nX,0,1,2,0\n";
   EXPECT_THAT(written(folder, "positioning", "fanuc", one).errors, HasSubstr("the record has one"));
   const std::string far =

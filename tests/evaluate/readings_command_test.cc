@@ -281,6 +281,30 @@ TEST(EvaluatePositioning, IsThatOfTheStandard) {
       std::string::npos);
 }
 
+TEST(EvaluatePositioning, IsOfLinearAxes) {
+  cli::EvaluateOptions options;
+  options.kind = "positioning";
+  const auto evaluated = [&](const std::string& axis) {
+    return evaluate_text(
+        fmt::format("axis,target,direction,cycle,position\n{0},0,1,1,0\n{0},0,1,2,0.001\n"
+                    "{0},90,1,1,90\n{0},90,1,2,90\n",
+                    axis),
+        options);
+  };
+  for (const char* const axis : {"A", "B", "C", "C4"}) {
+    EXPECT_EQ(evaluated(axis).exit_code, 2) << axis;
+    EXPECT_NE(evaluated(axis).errors.find(
+                  fmt::format("data.csv:2:1: error: {} is a rotary axis, its places are degrees: "
+                              "positioning is of linear axes, in mm [DAT116]",
+                              axis)),
+              std::string::npos)
+        << evaluated(axis).errors;
+  }
+  for (const char* const axis : {"X", "W", "X1", "Base"}) {
+    EXPECT_EQ(evaluated(axis).exit_code, 0) << axis;
+  }
+}
+
 TEST(EvaluatePositioning, RefusesASecondReadingAndPartsOfCycles) {
   cli::EvaluateOptions options;
   options.kind = "positioning";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -34,6 +35,23 @@ Result<std::string, DataError> axis_of(const DataFile& file, const DataTable& ta
                       fmt::format("--axis {} takes the rows of that axis alone", axis));
   }
   return axis;
+}
+
+/// A, B and C turn about X, Y and Z; a control with several of a kind numbers them.
+bool is_rotary(const std::string& axis) {
+  return !axis.empty() && axis.front() >= 'A' && axis.front() <= 'C' &&
+         axis.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
+/// The axis must be linear: ISO 230-2 states rotary ones in degrees or seconds of arc.
+std::optional<DataError> why_not_linear(const DataFile& file, const DataTable& table,
+                                        const std::string& axis) {
+  if (!is_rotary(axis)) {
+    return std::nullopt;
+  }
+  const std::vector<std::string>& axes = table.texts("axis");
+  const auto row = static_cast<std::size_t>(std::ranges::find(axes, axis) - axes.begin());
+  return data_error(DataErrorId::RotaryAxis, file, place_of_line(file, table.line(row)), {axis});
 }
 
 std::vector<Quantity> results_of(const PositioningEvaluation& p) {
@@ -148,6 +166,9 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   const auto axis = axis_of(file, table.value(), request);
   if (!axis) {
     return axis.error();
+  }
+  if (auto wrong = why_not_linear(file, table.value(), axis.value())) {
+    return *wrong;
   }
   const auto taken = approaches_of(file, table.value(), axis.value());
   if (!taken) {
