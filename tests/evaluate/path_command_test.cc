@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/run_evaluate.h"
+#include "tools/evaluate/evaluation.h"
 
 namespace g31::path_command_test {
 namespace {
@@ -124,6 +125,23 @@ TEST(EvaluateSquare, SaysWhereACornerIsTakenToBeSharp) {
                 "corner_error_1, corner_error_2, corner_error_3, corner_error_4: the path turns "
                 "between two samples and is taken to be sharp there; were it rounded, by up to "
                 "265.2 um further inside, no sample would show it"});
+}
+
+/// A centre a metre away is shown to the nanometre, as its uncertainty is worth something.
+TEST(EvaluationTable, ShowsLengthsToTheNanometre) {
+  evaluate::Evaluation evaluation;
+  evaluation.kind = evaluate::Kind::Circle;
+  evaluation.samples = 3;
+  evaluation.results = {{"radius", 50.0, "mm"},
+                        {"centre_x", 1234.5678912, "mm", 4e-6},
+                        {"centre_y", -0.00012345678, "mm"},
+                        {"backlash_X", 1234.5678912, "um"}};
+  EXPECT_EQ(evaluate::evaluation_table(evaluation),
+            "circle, 3 samples\n"
+            "  radius                                     50 mm    \n"
+            "  centre_x                          1234.567891 mm      u 4e-06\n"
+            "  centre_y                         -0.000123457 mm    \n"
+            "  backlash_X                            1234.57 um    \n");
 }
 
 TEST(EvaluateSpeed, ListsItsDips) {

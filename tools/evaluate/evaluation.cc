@@ -1,6 +1,7 @@
 #include "tools/evaluate/evaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -88,6 +89,19 @@ std::string with_digits(double value) {
   return fmt::format("{:.6g}", value + 0.0);
 }
 
+/// The same, but lengths in mm to the nanometre, however long: a centre may lie a metre away.
+std::string with_digits(double value, std::string_view unit) {
+  if (unit != "mm" || std::abs(value) < 1.0) {
+    return with_digits(value);
+  }
+  std::string text = fmt::format("{:.6f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') {
+    text.pop_back();
+  }
+  return text;
+}
+
 }  // namespace
 
 std::span<const OptionRow> options() {
@@ -151,9 +165,11 @@ std::string evaluation_table(const Evaluation& evaluation, const plot::Growth& g
   std::string text =
       fmt::format("{}, {} samples\n", info(evaluation.kind).word, evaluation.samples);
   for (const Quantity& quantity : evaluation.results) {
-    const std::string u = quantity.u ? fmt::format("  u {}", with_digits(*quantity.u)) : "";
+    const std::string u =
+        quantity.u ? fmt::format("  u {}", with_digits(*quantity.u, quantity.unit)) : "";
     text += fmt::format("  {:<32} {:>12} {:<6}{}\n", quantity.name,
-                        quantity.value ? with_digits(*quantity.value) : "-", quantity.unit, u);
+                        quantity.value ? with_digits(*quantity.value, quantity.unit) : "-",
+                        quantity.unit, u);
   }
   if (evaluation.dips) {
     std::size_t told = 0;
