@@ -73,6 +73,16 @@ TEST(CompensationFormats, SinumerikAcrossTheAxis) {
                         "$AN_CEC_MIN[0]=-100.000000\n$AN_CEC_MAX[0]=300.000000\n"));
 }
 
+/// A table acts only once its setting data and the machine data of the axis say so: the head names
+/// both, so that nobody loads a table and wonders why nothing moves.
+TEST(CompensationFormats, SinumerikHeadNamesWhatMakesItAct) {
+  EXPECT_THAT(table("straightness", "sinumerik", kStraightness),
+              HasSubstr("\n; It acts with SD41300 $SN_CEC_TABLE_ENABLE[0]=1 and MD32710[Y1]=1 "
+                        "afterwards.\n"));
+  EXPECT_THAT(table("positioning", "sinumerik", kPositioning),
+              HasSubstr("\n; It acts with MD32700[0,X1]=1 afterwards.\n"));
+}
+
 // Targets that are not evenly spaced, as ISO 230-2 asks for: 0, 10 and 100 become nine places.
 TEST(CompensationFormats, SinumerikTablesAreEven) {
   const std::string uneven =

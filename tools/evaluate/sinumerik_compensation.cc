@@ -12,7 +12,8 @@ std::string along_axis(const EvenTable& table, char axis) {
   std::string text = fmt::format(
       "%_N_AX_EEC_INI\n"
       "; Compensation along {0}1, mm: positive values move the axis in the negative direction.\n"
-      "; Load it with MD32700[0,{0}1]=0; MD38000[0,{0}1]={1} points or more.\nCHANDATA(1)\n",
+      "; Load it with MD32700[0,{0}1]=0; MD38000[0,{0}1]={1} points or more.\n"
+      "; It acts with MD32700[0,{0}1]=1 afterwards.\nCHANDATA(1)\n",
       axis, table.values.size());
   for (std::size_t n = 0; n < table.values.size(); ++n) {
     text += fmt::format("$AA_ENC_COMP[0,{},{}1]={:.6f}\n", n, axis, table.values[n] + 0.0);
@@ -30,7 +31,9 @@ std::string across_axis(const EvenTable& table, char moving, char compensated) {
       "%_N_NC_CEC_INI\n"
       "; Compensation of {1}1 by the place of {0}1, mm: positive values move {1}1 in the negative "
       "direction.\n"
-      "; Load it with MD32710[{1}1]=0; MD18342[0]={2} points or more.\nCHANDATA(1)\n",
+      "; Load it with MD32710[{1}1]=0; MD18342[0]={2} points or more.\n"
+      "; It acts with SD41300 $SN_CEC_TABLE_ENABLE[0]=1 and MD32710[{1}1]=1 afterwards.\n"
+      "CHANDATA(1)\n",
       moving, compensated, table.values.size());
   for (std::size_t n = 0; n < table.values.size(); ++n) {
     text += fmt::format("$AN_CEC[0,{}]={:.6f}\n", n, table.values[n] + 0.0);
