@@ -128,9 +128,10 @@ void expect_writes(const session::Request& request, const std::string& place) {
     }
     for (const auto& [name, value] : found) {
       // Through a VAR parameter it is written under the name of the parameter.
-      const bool by_parameter = std::ranges::any_of(watched.events, [&](const auto& event) {
-        return !is_common(event.name) && testing::shown(event.now) == value;
-      });
+      const bool by_parameter =
+          std::ranges::any_of(watched.events, [&now = value](const auto& event) {
+            return !is_common(event.name) && testing::shown(event.now) == now;
+          });
       EXPECT_TRUE(watched.values[name] == value || by_parameter)
           << name << " is " << value << ", heard was " << watched.values[name];
       watched.values[name] = value;

@@ -15,11 +15,11 @@ std::string Progress::text(std::size_t done, double elapsed_s) const {
   if (total_ == 0) {
     return fmt::format("{}, {:.0f} s", what_, elapsed_s);
   }
-  constexpr std::size_t kWidth = 40;
+  constexpr std::size_t kBarWidth = 40;
   const std::size_t shown = std::min(done, total_);
   const double part = static_cast<double>(shown) / static_cast<double>(total_);
-  const auto filled = static_cast<std::size_t>(part * static_cast<double>(kWidth));
-  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+  const auto filled = static_cast<std::size_t>(part * static_cast<double>(kBarWidth));
+  const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
   return fmt::format("[{}] {} of {} {}, {:.0f} s left", bar, shown, total_, what_,
                      std::ceil(elapsed_s * (1.0 - part) / part));
 }

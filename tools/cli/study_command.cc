@@ -267,20 +267,20 @@ std::optional<Refusal> deliver(const StudyOptions& options, const MadeStudy& mad
 }  // namespace
 
 ExitCode study_command(const StudyOptions& options) {
-  constexpr std::string_view kSchema = "g31.study/1";
+  constexpr std::string_view kStudySchema = "g31.study/1";
   if (options.study.empty() && options.merge.empty()) {
     return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"), options.json,
-                  kSchema);
+                  kStudySchema);
   }
   if (const auto wrong = wrong_place_of(options, {})) {
     return refuse(*wrong);
   }
   if (const auto wrong = wrong_report(options.report)) {
-    return refuse(*wrong, options.json, kSchema);
+    return refuse(*wrong, options.json, kStudySchema);
   }
   const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
   if (!made) {
-    return refuse(made.error(), options.json, kSchema);
+    return refuse(made.error(), options.json, kStudySchema);
   }
   const study::Record& record = made.value().record;
   if (const auto wrong = deliver(options, made.value())) {

@@ -128,8 +128,9 @@ bool is_fanuc(const session::Control& control) {
 std::vector<session::Control> controls_of(const ReferencePage& page) {
   std::vector<session::Control> controls = session::all_controls();
   std::erase_if(controls, [&](const auto& control) { return is_fanuc(control) != page.is_fanuc; });
-  std::ranges::stable_partition(
-      controls, [](const auto& control) { return session::name_of(control) == "fanuc-30i"; });
+  std::stable_partition(controls.begin(), controls.end(), [](const auto& control) {
+    return session::name_of(control) == "fanuc-30i";
+  });
   return controls;
 }
 

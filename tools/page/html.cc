@@ -53,7 +53,7 @@ std::string number(const std::optional<double>& value, int decimals, ShowSign si
 }
 
 std::string significant(const std::optional<double>& value, int decimals, ShowSign sign) {
-  constexpr int kMostDecimals = 9;
+  constexpr int kMostWrittenDecimals = 9;
   if (!value || !std::isfinite(*value) || *value == 0.0) {
     return number(value, decimals, sign);
   }
@@ -62,7 +62,7 @@ std::string significant(const std::optional<double>& value, int decimals, ShowSi
   int power = 0;
   std::from_chars(text.data() + exponent + (text[exponent] == '+' ? 1 : 0),
                   text.data() + text.size(), power);
-  if (1 - power <= kMostDecimals) {
+  if (1 - power <= kMostWrittenDecimals) {
     return number(value, std::max(decimals, 1 - power), sign);
   }
   text = fmt::format("{}e−{}", text.substr(0, exponent - 1), -power);
@@ -70,8 +70,8 @@ std::string significant(const std::optional<double>& value, int decimals, ShowSi
 }
 
 int decimals_apart(double value, double limit, int decimals) {
-  constexpr int kMostDecimals = 15;
-  for (int more = decimals; more <= kMostDecimals; ++more) {
+  constexpr int kMostComparedDecimals = 15;
+  for (int more = decimals; more <= kMostComparedDecimals; ++more) {
     if (number(value, more) != number(limit, more)) {
       return more;
     }

@@ -23,7 +23,6 @@ bool stands_alone(const Op& op) {
 Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose)
     : CompilerMemory(source),
       BlockPart({reader, *program, code}),
-      globals_(globals),
       is_shipped_(source.is_shipped),
       purpose_(purpose),
       text_(source.file->text()),

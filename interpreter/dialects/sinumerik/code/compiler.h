@@ -69,7 +69,6 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
 
   [[nodiscard]] BlockWork work() { return {reader_, program_, code_}; }
 
-  const Globals& globals_;
   bool is_shipped_;
   Purpose purpose_;
   std::string_view text_;

@@ -117,7 +117,7 @@ const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
     std::ranges::copy_if(programs_, std::back_inserter(files), [](const FiledProgram* program) {
       return is_definition(program->name());
     });
-    std::ranges::stable_partition(files, is_of_macros);
+    std::stable_partition(files.begin(), files.end(), is_of_macros);
     for (FiledProgram* const file : files) {
       definitions_.push_back(&file->define_in(globals_));
     }
