@@ -57,6 +57,17 @@ TEST(SinumerikVariables, OfADefinitionFileCountFromItsInitialValues) {
   EXPECT_EQ(next.document["variables"]["R2"], 7.0);
 }
 
+TEST(SinumerikVariables, OfAProcThatNothingCalledAreNotThere) {
+  const TemporaryFolder folder;
+  const RunOutput called = run(folder, "PROC MAIN(VAR REAL VV)", "", "VV");
+  EXPECT_NE(called.errors.find("[12300]"), std::string::npos) << called.errors;
+  EXPECT_TRUE(called.document["variables"]["VV"].is_null());
+  folder.write("MGUD.DEF", "DEF CHAN INT WRONG WRONG\nM17\n");
+  const RunOutput not_begun = run(folder, "PROC MAIN(VAR REAL VV)", "", "VV");
+  EXPECT_NE(not_begun.errors.find("[12080]"), std::string::npos) << not_begun.errors;
+  EXPECT_TRUE(not_begun.document["variables"]["VV"].is_null());
+}
+
 TEST(SinumerikFiles, LieInTheFolderOfTheSheetWhateverPathTheProgramNames) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path("logs"));

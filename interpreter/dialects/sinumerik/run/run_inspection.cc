@@ -81,9 +81,11 @@ MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth
   return reason;
 }
 
+/// Whose local variables those of a level are; where its parameters stand for nothing it has none.
 const CompiledProgram& Runner::home(std::size_t depth) const {
   static const CompiledProgram kNowhere;
-  return stack_.level(depth).program != nullptr ? *stack_.level(depth).program : kNowhere;
+  const Level& level = stack_.level(depth);
+  return level.program != nullptr && level.has_arguments() ? *level.program : kNowhere;
 }
 
 std::optional<std::string> Runner::run_text(const std::string& source) {
@@ -119,13 +121,10 @@ std::optional<std::string> Runner::why_no_variable(const std::string& name) {
 }
 
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
-  const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
-  const CompiledProgram* const program =
-      programs_.looked_at(expression, main != nullptr ? *main : home(0));
-  if (main != nullptr) {
-    start(*program);
+  if (const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program()) {
+    start(*main);
   }
-  return result_of(*program, 0);
+  return result_of(*programs_.looked_at(expression, home(0)), 0);
 }
 
 Result<ShownValue, std::string> Runner::evaluate(std::size_t level, const std::string& expression) {

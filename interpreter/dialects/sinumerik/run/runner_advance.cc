@@ -106,7 +106,7 @@ void Runner::end(const MaybeFailure& reason) {
   } else {
     missed_.end();
   }
-  if (!stack_.level(0).has_references()) {
+  if (!stack_.level(0).has_arguments()) {
     stack_.level(0) = Level();  // its variables are nowhere
   }
   channel_.warnings.tell_repeats(channel_.diagnostics);

@@ -89,10 +89,12 @@ struct Level {
   Frame saved_frame;
   std::optional<Frame> saved_settable;  ///< MD10617 bit 0
 
-  /// Whether all VAR parameters refer to something.
-  [[nodiscard]] bool has_references() const {
-    const auto wanted = std::ranges::count_if(program->parameters, &Parameter::by_reference);
-    return references.size() == static_cast<std::size_t>(wanted);
+  /// Whether its parameters stand for something: a wrong PROC takes no arguments, and behind the
+  /// VAR parameters of a main program there is nothing.
+  [[nodiscard]] bool has_arguments() const {
+    const CompiledProgram& own = *own_place().first;
+    const auto wanted = std::ranges::count_if(own.parameters, &Parameter::by_reference);
+    return !own.has_wrong_proc && references.size() == static_cast<std::size_t>(wanted);
   }
 
   /// Where it stands in its own program, which may wait for a text.
