@@ -119,6 +119,13 @@ TEST(SinumerikFlow, ARepeatedPartIsGoneThroughAgain) {
             "2 M30 end\n"
             "3  return\n"
             "labels PART=0\n");
+  // An end that stands behind it is that of another part.
+  EXPECT_EQ(drawn(PicturedText("PART: R1=R1+1\nREPEAT PART\nENDLABEL: M30\n").flow),
+            "0 PART: R1=R1+1 > 1\n"
+            "1 REPEAT PART > *0 2\n"
+            "2 ENDLABEL: M30 end\n"
+            "3  return\n"
+            "labels PART=0 ENDLABEL=2\n");
 }
 
 TEST(SinumerikFlow, ASkippedBlockMayBePassed) {

@@ -6,7 +6,6 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr std::string_view kEndOfPart = "ENDLABEL";
 /// Source: programming manual, fundamentals, 10.2004, 2.2: identifiers, labels among them.
 constexpr std::size_t kLongestLabel = 32;
 
@@ -66,7 +65,7 @@ void JumpStatements::repeat_part(bool one_block) {
   LabelJumps::Part part;
   part.first = *first;
   part.one_block = one_block;
-  part.end = kEndOfPart;
+  part.end = LabelJumps::kEndOfPart;
   if (!one_block && (cursor_.peek().kind == TokenKind::Name || cursor_.peek().is_letter('N'))) {
     part.end = label_name().value_or("");
   }

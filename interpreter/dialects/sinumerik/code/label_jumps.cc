@@ -10,6 +10,24 @@ void LabelJumps::take_back(std::size_t first_step) {
       jumps_, [&](const Jump& jump) { return static_cast<std::size_t>(jump.step) >= first_step; });
 }
 
+/// Where a part begins and ends.  One that begins before its REPEAT ends there at the latest: an
+/// end that stands further on is that of another part (programming manual, fundamentals, program
+/// section repetition).
+RepeatSite LabelJumps::site_of(const Part& part, const CompiledProgram& program) {
+  const auto first = find_label(program, part.first, part.step, Direction::Both);
+  if (!first) {
+    return {};
+  }
+  const auto last = part.one_block     ? first
+                    : part.end.empty() ? std::nullopt
+                                       : find_label(program, part.end, *first, Direction::Forward);
+  if (!last) {
+    return part.end == kEndOfPart ? RepeatSite{*first, part.step} : RepeatSite{};
+  }
+  const std::int32_t behind = program.ops[static_cast<std::size_t>(*last)].a.place;
+  return {*first, *first < part.step ? std::min(behind, part.step) : behind};
+}
+
 void LabelJumps::resolve(CompiledProgram& program, CodeWriter& code) const {
   for (const Jump& jump : jumps_) {
     Op& op = program.ops[static_cast<std::size_t>(jump.step)];
@@ -29,18 +47,7 @@ void LabelJumps::resolve(CompiledProgram& program, CodeWriter& code) const {
     }
   }
   for (const Part& part : parts_) {
-    RepeatSite& site = program.repeats[part.site];
-    const auto first = find_label(program, part.first, part.step, Direction::Both);
-    site.first = first.value_or(-1);
-    if (part.one_block && first) {
-      site.end = program.ops[static_cast<std::size_t>(*first)].a.place;
-    } else if (first) {
-      const auto end = part.end.empty() ? std::nullopt
-                                        : find_label(program, part.end, *first, Direction::Forward);
-      const std::size_t last = static_cast<std::size_t>(end.value_or(part.step));
-      site.end = end ? program.ops[last].a.place : part.end == "ENDLABEL" ? part.step : -1;
-      site.first = site.end < 0 ? -1 : site.first;
-    }
+    program.repeats[part.site] = site_of(part, program);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace g31::sinumerik {
 /// text.
 class LabelJumps {
  public:
+  /// Ends a part of whose end REPEAT says nothing.
+  static constexpr std::string_view kEndOfPart = "ENDLABEL";
+
   struct Jump {
     std::int32_t step = 0;
     std::string label;
@@ -35,6 +39,8 @@ class LabelJumps {
   void resolve(CompiledProgram& program, CodeWriter& code) const;
 
  private:
+  static RepeatSite site_of(const Part& part, const CompiledProgram& program);
+
   std::vector<Jump> jumps_;
   std::vector<Part> parts_;
 };
