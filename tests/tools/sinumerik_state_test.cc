@@ -68,6 +68,36 @@ TEST(SinumerikVariables, OfAProcThatNothingCalledAreNotThere) {
   EXPECT_TRUE(not_begun.document["variables"]["VV"].is_null());
 }
 
+TEST(SinumerikDefinitions, OfAUserCountBeforeThoseThatComeWithG31) {
+  const TemporaryFolder folder;
+  folder.write("MGUD.DEF",
+               "DEF CHAN REAL _MA, _SETV[3]=(1,2,3)\nDEF CHAN INT _EV[20]\n"
+               "DEF NCK STRING[20] S_TXT[4]\nM17\n");
+  const RunOutput taken = run(folder,
+                              "R1=_MA _SETV[0]=_SETV[0]+0.5 R2=_SETV[0] _EV[3]=4 R3=_EV[3]\n"
+                              "R4=STRLEN(S_TXT[3]) R5=_NMSP _MV[2]=5 R6=_MV[2]",
+                              "");
+  EXPECT_EQ(taken.exit_code, 0) << taken.errors;
+  EXPECT_EQ(taken.document["variables"]["R1"], 0.0) << "not 1, as g31's own file has it";
+  EXPECT_EQ(taken.document["variables"]["R2"], 1.5);
+  EXPECT_EQ(taken.document["variables"]["R3"], 4.0) << "no name for a datum of the cycles";
+  EXPECT_EQ(taken.document["variables"]["R4"], 0.0) << "nor is there a value of theirs";
+  EXPECT_EQ(taken.document["variables"]["R5"], 1.0);
+  EXPECT_EQ(taken.document["variables"]["R6"], 5.0);
+}
+
+TEST(SinumerikDefinitions, ThatComeWithG31FillInWhatAFileOfTheirNameLacks) {
+  const TemporaryFolder folder;
+  folder.write("PGUD.DEF", "%_N_PGUD_DEF\nDEF CHAN REAL _OVI[20], OWN=3\nM17\n");
+  const RunOutput filled =
+      run(folder, "_OVI[0]=0.5 R1=_OVI[0] R2=OWN _OVR[4]=4 R3=_OVR[4] R4=_ROUGH", "");
+  EXPECT_EQ(filled.exit_code, 0) << filled.errors;
+  EXPECT_EQ(filled.document["variables"]["R1"], 0.5);
+  EXPECT_EQ(filled.document["variables"]["R2"], 3.0);
+  EXPECT_EQ(filled.document["variables"]["R3"], 4.0);
+  EXPECT_EQ(filled.document["variables"]["R4"], 3.0);
+}
+
 TEST(SinumerikFiles, LieInTheFolderOfTheSheetWhateverPathTheProgramNames) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path("logs"));

@@ -1,3 +1,4 @@
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -139,6 +140,38 @@ std::int32_t Definitions::define(const Variable& variable) {
   return variables_.import(*global);
 }
 
+/// Whether a file that comes with the control finds a name taken by one of the user, which counts:
+/// a shop's own data, and archives of earlier software, have names that the cycles have, too.
+bool Definitions::is_of_user(const std::string& name) const {
+  return purpose_ == Purpose::Definitions && is_shipped_ && globals_.find(name) != nullptr &&
+         !variables_.is_imported(name);
+}
+
+/// = value or = (list), up to the next variable.
+void Definitions::pass_over_value() {
+  for (int open = 0; cursor_.peek().kind != TokenKind::End; cursor_.next()) {
+    if (open == 0 && cursor_.peek().is(Symbol::Comma)) {
+      return;
+    }
+    open += cursor_.peek().is(Symbol::LeftParen)    ? 1
+            : cursor_.peek().is(Symbol::RightParen) ? -1
+                                                    : 0;
+  }
+}
+
+void Definitions::define_with_value(const Variable& variable) {
+  const std::int32_t index = define(variable);
+  if (index < 0 || !cursor_.accept(Symbol::Assign)) {
+    return;
+  }
+  const Variable& known = program_.variables[static_cast<std::size_t>(index)];
+  Expr target = assignments_.target_of(index, block());
+  target.element = code_.number_constant(0.0);
+  target.is_constant = true;
+  const bool is_list = known.shape.dimensions > 0 && cursor_.peek().is(Symbol::LeftParen);
+  is_list ? assignments_.assign_list(target) : assignments_.assign_element(target);
+}
+
 /// A number, perhaps with a sign, that is known when compiling.
 std::optional<double> Definitions::signed_constant() {
   const Expr value = expressions_.unary();
@@ -195,17 +228,11 @@ void Definitions::def_statement() {
   const Limits limits = definition_attributes();
   do {
     auto variable = declared_variable(*declared);
-    if (variable) {
+    if (variable && is_of_user(variable->name)) {
+      pass_over_value();
+    } else if (variable) {
       variable->limits = limits;
-    }
-    const std::int32_t index = variable ? define(*variable) : -1;
-    if (index >= 0 && cursor_.accept(Symbol::Assign)) {
-      const Variable& known = program_.variables[static_cast<std::size_t>(index)];
-      Expr target = assignments_.target_of(index, block());
-      target.element = code_.number_constant(0.0);
-      target.is_constant = true;
-      const bool is_list = known.shape.dimensions > 0 && cursor_.peek().is(Symbol::LeftParen);
-      is_list ? assignments_.assign_list(target) : assignments_.assign_element(target);
+      define_with_value(*variable);
     }
   } while (!failed() && cursor_.accept(Symbol::Comma));
   expect_end();
@@ -232,18 +259,24 @@ void Definitions::define_statement() {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
-  Macro macro;
+  auto macro = std::make_shared<Macro>();
   while (cursor_.peek().kind != TokenKind::End) {
     Token token = cursor_.next();
-    token.text = macro.spellings.emplace_back(token.text);
-    macro.tokens.push_back(token);
+    token.text = macro->spellings.emplace_back(token.text);
+    macro->tokens.push_back(token);
   }
-  Macros& macros = purpose_ != Purpose::Definitions ? macros_
-                   : is_shipped_                    ? defined_->shipped_macros
-                                                    : defined_->macros;
-  if (!macros.define(name, std::move(macro))) {
+  if (!macros_behind().define(name, macro)) {
     fail(AlarmId::MacroTwice, block(), name);
+  } else if (is_shipped_ && !is_of_user(name)) {
+    defined_->offered_macros.define(name, std::move(macro));
   }
+}
+
+/// Where a DEFINE goes.
+Macros& Definitions::macros_behind() {
+  return purpose_ != Purpose::Definitions ? macros_
+         : is_shipped_                    ? defined_->shipped_macros
+                                          : defined_->macros;
 }
 
 void Definitions::proc_statement() {

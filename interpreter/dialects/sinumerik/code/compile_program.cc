@@ -42,7 +42,7 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
   if (!is_shipped_) {
     seen_macros_.push_back(&globals.macros);
   }
-  seen_macros_.push_back(&globals.shipped_macros);
+  seen_macros_.push_back(is_shipped_ ? &globals.shipped_macros : &globals.offered_macros);
   program_.name = source.name;
   program_.folder = source.folder;
   program_.file = source.file;

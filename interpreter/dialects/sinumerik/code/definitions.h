@@ -73,6 +73,10 @@ class Definitions : private BlockPart {
   void preset(Parameter& parameter);
   std::int32_t defined_alike(const Variable& variable);
   std::int32_t define(const Variable& variable);
+  void define_with_value(const Variable& variable);
+  [[nodiscard]] bool is_of_user(const std::string& name) const;
+  void pass_over_value();
+  Macros& macros_behind();
   std::optional<double> signed_constant();
   Limits definition_attributes();
 

@@ -37,7 +37,9 @@ class Globals {
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
 
   Macros macros;          ///< of the user's definition files; what is shipped does not see them
-  Macros shipped_macros;  ///< of those that come with the control
+  Macros shipped_macros;  ///< of those that come with the control, as its programs see them
+  /// Those of them that the programs of a user see: a user's data may have the name of one.
+  Macros offered_macros;
   /// An array is shorter than this control could have it: indices from `count` on are alarms.
   void shorten(std::string_view name, int count);
   /// What the set-up sheet calls axes beside their letters, upper case.

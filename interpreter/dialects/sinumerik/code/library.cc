@@ -42,12 +42,15 @@ ProgramFile* ProgramLibrary::file(const std::string& path) {
   const auto [place, is_new] = read_.try_emplace(path);
   if (is_new) {
     if (auto text = sources_.files().read(path)) {
-      const bool is_shipped = !shipped_folder_.empty() && path.starts_with(shipped_folder_ + "/");
       place->second =
-          std::make_unique<ProgramFile>(sources_.whole(path, *std::move(text)), is_shipped);
+          std::make_unique<ProgramFile>(sources_.whole(path, *std::move(text)), is_shipped(path));
     }
   }
   return place->second.get();
+}
+
+bool ProgramLibrary::is_shipped(const std::string& path) const {
+  return !shipped_folder_.empty() && path.starts_with(shipped_folder_ + "/");
 }
 
 ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
@@ -67,7 +70,8 @@ void ProgramLibrary::add_folder(const std::string& folder) {
     const ProgramName parts = program_name(name);
     const std::string path = joined(folder, name);
     if (is_definition(parts)) {
-      if (!is_opened(path) && is_new_definition(parts)) {
+      // A user's PGUD seldom has all that the shipped one has: that fills in what is missing.
+      if (!is_opened(path) && (is_shipped(path) || is_new_definition(parts))) {
         add_file(path);
       }
     } else if (parts.suffix == "ARC") {
@@ -97,7 +101,7 @@ void ProgramLibrary::add_shipped_folder(const std::string& folder) {
   add_folder(folder);
 }
 
-/// As with programs, the first one of a name counts: a copy of shipped definitions replaces them.
+/// As with programs, the first one of a name counts.
 bool ProgramLibrary::is_new_definition(const ProgramName& name) const {
   return is_definition(name) && best_of(opened(name.stem), name, {}) == nullptr;
 }
@@ -118,6 +122,10 @@ const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
       return is_definition(program->name());
     });
     std::stable_partition(files.begin(), files.end(), is_of_macros);
+    // What a user's files define is known when those that come with the control have their turn.
+    std::stable_partition(files.begin(), files.end(), [](const FiledProgram* program) {
+      return !program->source().is_shipped;
+    });
     for (FiledProgram* const file : files) {
       definitions_.push_back(&file->define_in(globals_));
     }

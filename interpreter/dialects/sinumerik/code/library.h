@@ -40,7 +40,8 @@ class ProgramLibrary {
   void add_folder(const std::string& folder);
   /// Of these files the definitions alone, of names that there are none of yet.
   void add_definitions(std::span<const std::string> files);
-  /// As add_folder(), of what comes with the control, behind all others.
+  /// As add_folder(), of what comes with the control, behind all others.  Its definition files
+  /// leave alone what those of the user define, and count beside files of their name.
   void add_shipped_folder(const std::string& folder);
 
   /// Reads the definition files, when it is asked for the first time, which ends the adding of
@@ -79,6 +80,7 @@ class ProgramLibrary {
 
  private:
   void open(ProgramFile& file, bool only_definitions);
+  [[nodiscard]] bool is_shipped(const std::string& path) const;
   [[nodiscard]] bool is_new_definition(const ProgramName& name) const;
 
   source::SourceMap& sources_;

@@ -2,6 +2,7 @@
 
 #include <bitset>
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,7 @@ struct Macro {
 class Macros {
  public:
   /// @returns whether the name was free
-  bool define(const std::string& name, Macro macro) {
+  bool define(const std::string& name, std::shared_ptr<const Macro> macro) {
     initials_.set(static_cast<unsigned char>(name.front()));
     return by_name_.emplace(name, std::move(macro)).second;
   }
@@ -29,7 +30,7 @@ class Macros {
   /// nullptr: there is none.
   [[nodiscard]] const Macro* find(std::string_view name) const {
     const auto found = by_name_.find(name);
-    return found != by_name_.end() ? &found->second : nullptr;
+    return found != by_name_.end() ? found->second.get() : nullptr;
   }
   /// Whether a name begins so: most blocks have none that does.
   [[nodiscard]] bool have_initial(char c) const {
@@ -37,7 +38,7 @@ class Macros {
   }
 
  private:
-  NameMap<Macro> by_name_;
+  NameMap<std::shared_ptr<const Macro>> by_name_;
   std::bitset<256> initials_;
 };
 
