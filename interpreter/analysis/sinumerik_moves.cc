@@ -100,7 +100,8 @@ class SinumerikMove {
     }
     if (role == sinumerik::AxisRole::Path || role == sinumerik::AxisRole::Positioning) {
       const auto value = number(op.b);
-      targets_.push_back({axis ? sinumerik::letter_of_axis(static_cast<int>(*axis)) : '?',
+      const bool is_known = axis && *axis >= 0.0;  // NO_AXIS: an alarm
+      targets_.push_back({is_known ? sinumerik::letter_of_axis(static_cast<int>(*axis)) : '?',
                           !value.has_value(), value.value_or(0.0), where});
     }
   }

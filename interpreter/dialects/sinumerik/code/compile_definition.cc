@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "interpreter/dialects/sinumerik/code/definitions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/constants.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 
 namespace g31::sinumerik {
@@ -104,7 +105,8 @@ std::optional<Variable> Definitions::declared_variable(const DeclaredType& decla
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   } else if (name.text.size() > kLongestName) {
     fail(AlarmId::NameTooLong, name.where, name.text);
-  } else if (is_keyword(name.text) || find_function(name.text) || find_g_code(name.text)) {
+  } else if (is_keyword(name.text) || find_function(name.text) || find_g_code(name.text) ||
+             find_constant(name.text) != nullptr) {
     fail(AlarmId::DefinedTwice, name.where, name.text);
   }
   Variable variable;

@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/sinumerik/code/expressions.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
+#include "interpreter/dialects/sinumerik/vocabulary/constants.h"
 #include "interpreter/dialects/sinumerik/vocabulary/operators.h"
 #include "interpreter/source/latin_1.h"
 
@@ -192,8 +193,8 @@ Expr Expressions::axis_of_data(const Token& name) {
 
 Expr Expressions::name_in_expression() {
   const Token name = cursor_.next();
-  if (name.text == "TRUE" || name.text == "FALSE") {
-    return operations_.constant(Type::Bool, name.text == "TRUE" ? 1.0 : 0.0, name.where);
+  if (const ConstantInfo* const constant = find_constant(name.text)) {
+    return operations_.constant(constant->type, constant->value, name.where);
   }
   if (const auto function = find_function(name.text)) {
     return call_function(*function, name.where);

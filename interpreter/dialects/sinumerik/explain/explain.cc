@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
+#include "interpreter/dialects/sinumerik/vocabulary/constants.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
@@ -49,6 +50,12 @@ void add_language(Topics& all) {
                     text(row.name),
                     text(row.text),
                     {{"binds", fmt::format("level {} of 0 (least) to 9", row.level)}}}});
+  }
+  for (const ConstantInfo& row : constants()) {
+    all.push_back(
+        {text(row.name),
+         "",
+         {"constant", text(row.name), text(row.text), {{"type", text(name_of(row.type))}}}});
   }
   for (const FunctionInfo& row : functions()) {
     all.push_back({text(row.name),
