@@ -160,7 +160,8 @@ void Compiler::item() {
   const Token name = cursor_.next();
   if (const std::int32_t variable = variables_.find(name.text); variable >= 0) {
     assignments_.assign_variable(variable, name.where);
-  } else if (const auto system = find_system_variable(name.text)) {
+  } else if (const auto system = find_system_variable(name.text);
+             system && (purpose_ != Purpose::Data || system->row->access != Access::Refused)) {
     assignments_.assign_system(*system, name.where);
   } else if (purpose_ == Purpose::Data && name.text.starts_with('$')) {
     assignments_.pass_over(name);

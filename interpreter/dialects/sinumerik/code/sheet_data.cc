@@ -54,7 +54,9 @@ void define_missing(const SheetData& data, Globals& globals) {
   std::map<std::string, Variable> missing;
   for (const auto& [written, datum] : data) {
     Named found = named(written);
-    if (globals.find(found.stem) != nullptr || find_system_variable(found.stem)) {
+    const auto system = find_system_variable(found.stem);
+    const bool has_value = system && system->row->access != Access::Refused;
+    if (has_value || globals.find(found.stem) != nullptr) {
       continue;
     }
     if (const auto* const list = std::get_if<std::vector<double>>(&datum)) {
