@@ -14,7 +14,7 @@ ChannelState some_state() {
   state.frames.resize(1);
   state.settable.resize(2);
   state.tools[3].edges[1][EdgeDatum::kRadius] = 4.0;
-  state.files["LOG.MPF"] = "a line\n";
+  state.files.content("LOG.MPF") = "a line\n";
   return state;
 }
 
@@ -45,7 +45,7 @@ TEST(ChannelStates, AChangeAnywhereIsSeen) {
       [](ChannelState& state) { state.points.q_M_fixed[3][0] = 1.0; },
       [](ChannelState& state) { state.q_M_measured[2] = 1e-9; },
       [](ChannelState& state) { state.kept_data[{}] = 0.5; },
-      [](ChannelState& state) { state.files["LOG.MPF"] += "more\n"; },
+      [](ChannelState& state) { state.files.content("LOG.MPF") += "more\n"; },
       [](ChannelState& state) { state.digital_outputs[64] = true; },
   };
   const ChannelState before = some_state();

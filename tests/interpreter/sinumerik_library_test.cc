@@ -105,6 +105,16 @@ TEST(SinumerikProgramName, HasManyForms) {
   }
 }
 
+TEST(SinumerikProgramName, IsThatOfAFileInManyFormsToo) {
+  const std::pair<const char*, const char*> kCases[] = {
+      {"LOG", "LOG_MPF"},     {"log.mpf", "LOG_MPF"},    {"_N_LOG_MPF", "LOG_MPF"},
+      {"LOG_SPF", "LOG_SPF"}, {"LOG.TXT", "LOG_TXT"},    {"_N_LOG_TXT", "LOG_TXT"},
+      {"A.B", "A.B_MPF"},     {"PART_12", "PART_12_MPF"}};
+  for (const auto& [written, meant] : kCases) {
+    EXPECT_EQ(sinumerik::file_name_on_control(written), meant) << written;
+  }
+}
+
 /// Runs "main.mpf" in a session of its own.  @returns R1 afterwards
 double r1_of_session(ProgramLibrary& library, const std::string& assignment, double value) {
   testing::RecordingMachine machine;

@@ -128,6 +128,25 @@ TEST(SinumerikFiles, LieInTheFolderOfTheSheetWhateverPathTheProgramNames) {
   EXPECT_EQ(output.document["files"]["NEW.TXT"], "HELLO\n");
 }
 
+TEST(SinumerikFiles, KeepTheNameOnTheDiskWhateverFormOfItAProgramWrites) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path("logs"));
+  folder.write("logs/Old.mpf", "FIRST\n");
+  folder.write("logs/TWIN", "A\n");
+  folder.write("logs/TWIN.MPF", "B\n");
+  const RunOutput written = run(folder,
+                                "DEF INT ERR\nWRITE(ERR,\"_N_OLD_MPF\",\"SECOND\")\n"
+                                "WRITE(ERR,\"_N_NEW_MPF\",\"ONE\")\nWRITE(ERR,\"NEW\",\"TWO\")\n"
+                                "WRITE(ERR,\"TWIN.MPF\",\"C\")",
+                                kFiles);
+  EXPECT_EQ(written.exit_code, 0) << written.errors;
+  EXPECT_EQ(text_of(folder.path("logs/Old.mpf")), "FIRST\nSECOND\n");
+  EXPECT_EQ(text_of(folder.path("logs/_N_NEW_MPF")), "ONE\nTWO\n");
+  EXPECT_EQ(text_of(folder.path("logs/TWIN")), "A\n");
+  EXPECT_EQ(text_of(folder.path("logs/TWIN.MPF")), "B\nC\n");
+  EXPECT_FALSE(fs::exists(folder.path("logs/NEW")));
+}
+
 TEST(SinumerikFiles, AreSavedAfterAnAlarmToo) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path("logs"));

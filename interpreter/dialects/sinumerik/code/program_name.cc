@@ -55,6 +55,19 @@ ProgramName name_of_text(std::string_view written, std::string_view before_suffi
   return name;
 }
 
+std::string file_name_on_control(std::string_view written) {
+  constexpr std::size_t kType = 4;  // "_TXT"
+  ProgramName name = program_name(written);
+  const bool has_other_type =
+      name.suffix.empty() && name.stem.size() > kType &&
+      std::string_view("._").find(name.stem[name.stem.size() - kType]) != std::string_view::npos;
+  if (has_other_type) {
+    name.stem[name.stem.size() - kType] = '_';
+    return name.stem;
+  }
+  return name.stem + "_" + (name.suffix.empty() ? "MPF" : name.suffix);
+}
+
 bool is_data(const ProgramName& name) {
   return name.suffix == kDataSuffix;
 }

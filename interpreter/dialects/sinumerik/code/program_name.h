@@ -18,6 +18,10 @@ ProgramName program_name(std::string_view written);
 /// @param before_suffix  "_" in headers, "." in names of files
 ProgramName name_of_text(std::string_view written, std::string_view before_suffix);
 
+/// What a control makes of the name of a file (NC programming 12/2019, 3.4.1.3): "_N_LOG_MPF",
+/// "LOG.MPF", "LOG_MPF" and, as no type is said, "log" are all "LOG_MPF", "LOG.TXT" is "LOG_TXT".
+std::string file_name_on_control(std::string_view written);
+
 /// The last folder of a path: "/_N_WKS_DIR/_N_PART_WPD" and "//NC:/WKS.DIR/PART.WPD" are PART_WPD.
 std::string folder_name(std::string_view path);
 

@@ -20,7 +20,7 @@ const CompiledProgram* CalledPrograms::find(std::string_view name) {
 }
 
 bool CalledPrograms::is_written(std::string_view path) const {
-  return channel_.files.contains(file_name(path));
+  return channel_.files.contains(file_meant(channel_, path));
 }
 
 void CalledPrograms::set_call_path(std::string path) {
@@ -52,7 +52,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const CallSite& s
 /// A program that WRITE has made, as it is now; nullptr: there is none.
 Result<const CompiledProgram*, Failure> CalledPrograms::written_program(std::string_view name) {
   const ProgramName wanted = program_name(name);
-  for (const auto& [file, content] : channel_.files) {
+  for (const auto& [file, content] : channel_.files.all()) {
     const ProgramName parts = program_name(file);
     const bool fits = parts.stem == wanted.stem && (wanted.suffix.empty() || parts.suffix.empty() ||
                                                     wanted.suffix == parts.suffix);

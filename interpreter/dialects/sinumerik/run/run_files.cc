@@ -64,7 +64,7 @@ bool may_write(Channel& channel, std::uint64_t bytes) {
 
 void make_file(Channel& channel, const std::string& name) {
   if (!channel.files.contains(name) && may_write(channel, size_of_file(name, {}))) {
-    channel.files[name];
+    channel.files.content(name);
   }
 }
 
@@ -72,21 +72,21 @@ void make_file(Channel& channel, const std::string& name) {
 void append_line(Channel& channel, const std::string& name, const std::string& line) {
   make_file(channel, name);
   if (may_write(channel, runtime::size_in_document(line) + kLineEnd)) {
-    std::string& content = channel.files[name];
+    std::string& content = channel.files.content(name);
     content += line;
     content += '\n';
   }
 }
 
 bool remove_file(Channel& channel, const std::string& name) {
-  const auto file = channel.files.find(name);
-  if (file == channel.files.end()) {
+  const std::string* const content = channel.files.find(name);
+  if (content == nullptr) {
     return false;
   }
   if (runtime::OutputBudget* const budget = channel.watch.output()) {
-    budget->give_back(runtime::Output::Files, size_of_file(name, file->second));
+    budget->give_back(runtime::Output::Files, size_of_file(name, *content));
   }
-  channel.files.erase(file);
+  channel.files.remove(name);
   return true;
 }
 
@@ -111,11 +111,16 @@ std::string file_name(std::string_view path) {
   return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
 }
 
+std::string file_meant(const Channel& channel, std::string_view path) {
+  const std::string name = file_name(path);
+  return name.empty() ? name : channel.files.kept_name(name);
+}
+
 namespace procedure {
 
 /// WRITE(error, file, line)
 double write_file(Channel& channel, Operands& at, Arguments list) {
-  const std::string name = file_name(at.text(list[1].value));
+  const std::string name = file_meant(channel, at.text(list[1].value));
   const std::string& line = at.text(list[2].value);
   if (name.empty() || line.size() > kLongestLine) {
     return file_error::kBadPath;
@@ -125,7 +130,7 @@ double write_file(Channel& channel, Operands& at, Arguments list) {
 }
 
 double delete_file(Channel& channel, Operands& at, Arguments list) {
-  const std::string name = file_name(at.text(list[1].value));
+  const std::string name = file_meant(channel, at.text(list[1].value));
   if (name.empty()) {
     return file_error::kBadPath;
   }
@@ -134,20 +139,20 @@ double delete_file(Channel& channel, Operands& at, Arguments list) {
 
 /// READ(error, file, line, count, texts)
 double read_file(Channel& channel, Operands& at, Arguments list) {
-  const std::string name = file_name(at.text(list[1].value));
+  const std::string name = file_meant(channel, at.text(list[1].value));
   if (name.empty()) {
     return file_error::kBadPath;
   }
-  const auto file = channel.files.find(name);
-  if (file == channel.files.end()) {
+  const std::string* const content = channel.files.find(name);
+  if (content == nullptr) {
     return file_error::kNoFile;
   }
   const double count = rounded(at.number(list[3].value));
   const double line = rounded(at.number(list[2].value));
   const double most = line == 0.0 ? std::numeric_limits<double>::infinity() : line + count - 1.0;
-  const std::vector<std::string_view> lines = lines_of(file->second, std::max(line, most));
+  const std::vector<std::string_view> lines = lines_of(*content, std::max(line, most));
   const auto line_count = static_cast<double>(lines.size());
-  spend_on_reading(channel, lines.empty() ? 0 : lines.back().data() - file->second.data());
+  spend_on_reading(channel, lines.empty() ? 0 : lines.back().data() - content->data());
   const double first = line == 0.0 ? line_count - count + 1.0 : line;  // 0: the last ones
   if (first < 1.0 || first > line_count) {
     return file_error::kNoLine;

@@ -364,11 +364,11 @@ std::map<std::string, double> Session::permanent_variables() const {
 }
 
 void Session::give_files(const std::map<std::string, std::string>& files) {
-  runner_->channel().files = files;
+  runner_->channel().files = ProgramFiles(files);
 }
 
 const std::map<std::string, std::string>& Session::files() const {
-  return runner_->channel().files;
+  return runner_->channel().files.all();
 }
 
 }  // namespace g31::sinumerik

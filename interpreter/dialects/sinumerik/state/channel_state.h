@@ -12,6 +12,7 @@
 #include "interpreter/dialects/sinumerik/state/frame.h"
 #include "interpreter/dialects/sinumerik/state/frame_set.h"
 #include "interpreter/dialects/sinumerik/state/motion_state.h"
+#include "interpreter/dialects/sinumerik/state/program_files.h"
 #include "interpreter/dialects/sinumerik/state/tool_carrier.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
@@ -140,8 +141,8 @@ struct ChannelState {
   runtime::BusyWait busy_wait;
 
   // Outside world
-  std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
-  std::set<std::string> open_files;          ///< EXTOPEN
+  ProgramFiles files;                ///< what WRITE, READ and EXTWRITE work on
+  std::set<std::string> open_files;  ///< EXTOPEN
   std::string call_path;
   std::string message;       ///< the last MSG
   std::set<int> block_skip;  ///< switches that are on
