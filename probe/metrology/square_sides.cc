@@ -22,7 +22,7 @@ struct SidePair {
 
 /// Points whose ways along an axis are about at one place across it.
 struct StraightWay {
-  double place = 0.0;  // their median
+  double place = 0.0;  ///< their median
   std::size_t points = 0;
 };
 

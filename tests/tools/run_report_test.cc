@@ -436,6 +436,20 @@ TEST(ReportOptions, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(g31({"run", program, "--report", page, "--compare", ""}).exit_code, 2);
 }
 
+// D3O with the letter: nothing of the program has run, and its line is what one wants to see.
+TEST(ReportOfAProgramThatIsWrongInItself, HasItsListingAndWhatWouldBeRight) {
+  const TemporaryFolder folder;
+  const std::string page = folder.path("a.html");
+  const std::string program = folder.write("a.nc", "O1\nG65 P2 D3O.\nM30\n");
+  EXPECT_EQ(g31({"run", program, "--report", page}).exit_code, 2);
+  const std::string html = text_in(page);
+  EXPECT_NE(html.find("id=\"listing\""), std::string::npos);
+  EXPECT_NE(html.find("id=\"L-a.nc-2\""), std::string::npos);
+  EXPECT_NE(html.find("href=\"#L-a.nc-2\""), std::string::npos);
+  EXPECT_NE(html.find("<p class=\"remark\">write a number, a #variable or [an expression]"),
+            std::string::npos);
+}
+
 TEST(ReportOptions, AreRefusedBeforeTheWorkWhereThePageCannotBeWritten) {
   const TemporaryFolder folder;
   const std::string program = folder.write("a.nc", "O1\nPOPEN\nDPRNT[DONE]\nM30\n");

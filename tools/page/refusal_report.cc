@@ -41,26 +41,23 @@ std::vector<Finding> refused_findings(const report::RunResult& result,
   return findings;
 }
 
-/// The programs in which something is wrong, each once; sheets are none.
-std::vector<Listing> refused_listings(const report::RunResult& result,
-                                      const source::SourceMap& sources) {
-  std::vector<std::string> files;
-  for (const source::Diagnostic& message : result.outcome.diagnostics) {
-    const source::ShownPlace place = sources.show(message.where);
-    if (!place.file.empty() && std::ranges::find(files, place.file) == files.end()) {
-      files.push_back(place.file);
-    }
-  }
-  std::vector<Listing> listings;
-  for (const std::string& file : files) {
-    if (const auto text = sources.files().read(file)) {
-      listings.push_back({without_folder(file), source::readable_text(*text), {}, {}});
-    }
-  }
-  return listings;
-}
-
 }  // namespace
+
+void add_listings_of_errors(const std::vector<source::Diagnostic>& messages, const FileNames& names,
+                            const source::SourceMap& sources, std::vector<Listing>& listings) {
+  for (const source::Diagnostic& message : messages) {
+    const std::string path = message.severity == source::Severity::Error
+                                 ? sources.show(message.where).file
+                                 : std::string();
+    const std::string name = names.of(path);
+    if (path.empty() || std::ranges::find(listings, name, &Listing::file) != listings.end()) {
+      continue;
+    }
+    if (const auto text = sources.files().read(path)) {
+      listings.push_back({name, source::readable_text(*text), {}, {}});
+    }
+  }
+}
 
 Finding finding_of(const source::Diagnostic& message, const FileNames& names,
                    const source::SourceMap& sources) {
@@ -96,7 +93,7 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
       {std::string(text_of(Word::Version, language)), result.version},
   };
   report.command = command;
-  report.listings = refused_listings(result, sources);
+  add_listings_of_errors(result.outcome.diagnostics, FileNames(), sources, report.listings);
   for (const report::InputFile& file : result.inputs) {
     report.inputs.push_back(
         {file.file, std::string(text_of(Word::InputRead, language)), file.sha256});

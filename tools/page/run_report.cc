@@ -175,6 +175,7 @@ Report report_of(const RunPage& run, Language language) {
   report.frame = text_of(Word::WorkCoordinates, language);
   report.touches = touches_of(run, geometries, writers, names);
   report.listings = listings_of(run, names);
+  add_listings_of_errors(run.result.outcome.diagnostics, names, run.sources, report.listings);
   report.variables = variables_of(run);
   report.has_printouts = true;
   report.printouts = printouts_of(run, names);

@@ -48,6 +48,11 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
 Finding finding_of(const source::Diagnostic& message, const FileNames& names,
                    const source::SourceMap& sources);
 
+/// Behind the listings that are there already those of programs in which an error stands: one that
+/// is wrong in itself has not run, and is looked at all the more.
+void add_listings_of_errors(const std::vector<source::Diagnostic>& messages, const FileNames& names,
+                            const source::SourceMap& sources, std::vector<Listing>& listings);
+
 /// The answer in a sentence.
 /// @param results  that are judged
 Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results, Language language);
