@@ -47,11 +47,9 @@ class Reader {
   /// nullopt: the letter's whole numbers are what they are.
   [[nodiscard]] std::optional<Counts> counts(char letter) const {
     const bool is_feed = letter == 'F' || (letter == 'E' && block_.calls);
-    if (is_feed && block_.calls && !profile_.counts_feed_arguments) {
-      return std::nullopt;
-    }
     if (is_feed) {
-      return counts_of_feed(profile_, reading_);
+      const bool is_counted = !block_.calls || profile_.counts_feed_arguments;
+      return is_counted ? counts_of_feed(profile_, reading_) : std::nullopt;
     }
     const fanuc::WordScale& scale = reading_.scale;
     const Counts length{scale.counts_per_mm, scale.counts_per_inch};

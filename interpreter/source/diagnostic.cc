@@ -21,8 +21,11 @@ constexpr auto kDiagnosticRows = std::to_array<DiagnosticInfo>({
 /// Longest piece of a source line that is shown.
 constexpr std::size_t kShownColumns = 120;
 
-/// The source line and the marker under it.
+/// The source line and the marker under it; empty where the text is not to be had.
 std::string excerpt(const ShownPlace& place, std::size_t length) {
+  if (place.line == 0) {
+    return {};
+  }
   const std::string_view whole = place.text;
   const std::size_t before = bytes_before(place);
   const std::size_t cut = before > kShownColumns / 2 ? before - kShownColumns / 2 : 0;
@@ -86,8 +89,7 @@ ShownPlace place_of(const Diagnostic& diagnostic, const SourceMap& sources) {
 }
 
 std::string excerpt_of(const Diagnostic& diagnostic, const SourceMap& sources) {
-  const ShownPlace place = place_of(diagnostic, sources);
-  return place.line > 0 ? excerpt(place, diagnostic.where.length) : std::string();
+  return excerpt(place_of(diagnostic, sources), diagnostic.where.length);
 }
 
 std::string text_of(const Note& note, const SourceMap& sources) {
@@ -98,7 +100,7 @@ std::string render_text(const Diagnostic& diagnostic, const SourceMap& sources) 
   const ShownPlace place = place_of(diagnostic, sources);
   std::string text = fmt::format("{}{}: {} [{}]\n", prefix(place), name_of(diagnostic.severity),
                                  printable(diagnostic.message), diagnostic.code);
-  text += excerpt_of(diagnostic, sources);
+  text += excerpt(place, diagnostic.where.length);
   if (!diagnostic.remedy.empty()) {
     text += fmt::format("{:5} = {}\n", "", diagnostic.remedy);
   }

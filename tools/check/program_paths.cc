@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <string_view>
@@ -66,10 +65,7 @@ bool is_program(const fs::path& path) {
 bool begins_as_program(const fs::path& path) {
   constexpr std::size_t kLook = 512;
   constexpr std::string_view kHeader = "%_N_";
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kLook, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string head = disk::Disk().read_part(path.string(), 0, kLook).value_or("");
   std::string_view text = head;
   text.remove_prefix(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   if (in_capitals(text.substr(0, kHeader.size())) == kHeader) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -100,7 +101,7 @@ std::string end_of(const report::RunResult& result) {
 }
 
 /// Behind the message of what ended the program; without one, before what was expected of it.
-std::size_t end_of_program(const std::vector<source::Diagnostic>& messages) {
+std::size_t end_of_program(std::span<const source::Diagnostic> messages) {
   const std::string_view failed = source::info(source::DiagnosticId::ExpectationFailed).code;
   const auto first = std::ranges::find(messages, failed, &source::Diagnostic::code);
   const auto is_error = [](const source::Diagnostic& message) {
@@ -177,16 +178,18 @@ void Desk::print(const source::Diagnostic& message) const {
 }
 
 void Desk::tell(const report::RunResult& result, const report::RunRecorder& recorder) const {
-  const std::vector<source::Diagnostic>& messages = result.outcome.diagnostics;
+  const std::span<const source::Diagnostic> messages = result.outcome.diagnostics;
   const std::size_t end = end_of_program(messages);
-  for (std::size_t i = 0; i <= messages.size(); ++i) {
-    if (i == end && options_.talk != Talk::Quiet) {
-      tell_details(result, recorder);
+  const auto print_all = [&](std::span<const source::Diagnostic> some) {
+    if (options_.tells_findings) {
+      std::ranges::for_each(some, [&](const source::Diagnostic& message) { print(message); });
     }
-    if (i < messages.size() && options_.tells_findings) {
-      print(messages[i]);
-    }
+  };
+  print_all(messages.first(end));
+  if (options_.talk != Talk::Quiet) {
+    tell_details(result, recorder);
   }
+  print_all(messages.subspan(end));
 }
 
 /// Belongs to what ended the program.

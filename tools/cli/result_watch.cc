@@ -1,6 +1,5 @@
 #include "tools/cli/result_watch.h"
 
-#include <algorithm>
 #include <charconv>
 
 namespace g31::cli {
@@ -23,15 +22,10 @@ std::string written_name(const std::string& name) {
 bool is_of_control(const std::string& name) {
   constexpr int kFirstSystemVariable = 1000;
   int number = 0;
-  std::from_chars(name.data() + std::min<std::size_t>(name.size(), 1), name.data() + name.size(),
-                  number);
-  return name.starts_with('$') || (name.starts_with('#') && number >= kFirstSystemVariable);
-}
-
-bool are_same(const ShownValue& a, const ShownValue& b) {
-  const auto* const x = std::get_if<Cell>(&a);
-  const auto* const y = std::get_if<Cell>(&b);
-  return x != nullptr && y != nullptr && !y->is_vacant() && x->raw() == y->raw();
+  if (name.starts_with('#')) {
+    std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  }
+  return name.starts_with('$') || number >= kFirstSystemVariable;
 }
 
 }  // namespace
@@ -50,7 +44,7 @@ ResultWatch::ResultWatch(const expect::Expectations& expectations, const ValueOf
 
 bool ResultWatch::is_from_before(const std::string& name, const ShownValue& now) const {
   const auto found = before_.find(written_name(name));
-  return found != before_.end() && !written_.contains(found->first) && are_same(now, found->second);
+  return found != before_.end() && !written_.contains(found->first) && now == found->second;
 }
 
 runtime::Verdict ResultWatch::on_block(const runtime::BlockPlace& place) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "machine/units/axis_positions.h"
 #include "probe/metrology/positioning.h"
 #include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_readings.h"
@@ -39,7 +40,7 @@ Result<std::string, DataError> axis_of(const DataFile& file, const DataTable& ta
 
 /// A, B and C turn about X, Y and Z; a control with several of a kind numbers them.
 bool is_rotary(const std::string& axis) {
-  return !axis.empty() && axis.front() >= 'A' && axis.front() <= 'C' &&
+  return !axis.empty() && is_rotary_axis(axis_index(axis.front())) &&
          axis.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 

@@ -175,7 +175,9 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }
-  control.set_controlled_axes(setup.axes);
+  if (!setup.axes.empty()) {
+    control.controlled_axes = setup.axes;
+  }
   control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
   control.feed_switches = setup.feed_switches;

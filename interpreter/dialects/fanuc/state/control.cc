@@ -9,7 +9,6 @@
 #include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/state/pitch_errors.h"
 #include "interpreter/dialects/fanuc/state/straightness.h"
-#include "machine/base/contract.h"
 
 namespace g31::fanuc {
 namespace {
@@ -224,13 +223,6 @@ MaybeFailure Control::tell_machine() {
     port.compensate(tables);
   }
   return std::nullopt;
-}
-
-void Control::set_controlled_axes(std::string_view letters) {
-  const std::string_view order = letters.empty() ? std::string_view(kAxisLetters) : letters;
-  G31_EXPECTS(order.size() <= kAxisCount);
-  controlled_axis_count_ = static_cast<int>(order.size());
-  std::ranges::transform(order, controlled_axes_.begin(), axis_index);
 }
 
 void Control::set_offset_memory(OffsetMemory memory) {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,6 +50,7 @@ struct Control : ControlState {
 
   runtime::PrinterPort* printer = nullptr;  ///< none: only the observer hears
   std::vector<runtime::SensorWord> sensor_words;
+  std::string controlled_axes = kAxisLetters;  ///< #5001 is of the first, #5002 of the second
   runtime::BlockWatch watch{runtime::Budget{}};
   /// A value is looked at from outside the program: no report comes of it, and no time passes.
   [[nodiscard]] bool is_inspected() const { return touches.is_inspected(); }
@@ -117,14 +116,11 @@ struct Control : ControlState {
   /// The machine compensates, and axes have arrived, as the parameters say now.  Fails where they
   /// contradict each other; the tables that were in force stay then.
   MaybeFailure tell_machine();
-  /// Which axis #5001 and the like are of, which the next number.
-  /// @param letters  none twice; "": X Y Z A B C
-  void set_controlled_axes(std::string_view letters);
-  /// Storage index of a controlled axis; nullopt: there is none of this number.  @param index  from
-  /// 0
-  [[nodiscard]] std::optional<int> controlled_axis(int index) const {
-    return index >= 0 && index < controlled_axis_count_
-               ? std::optional(controlled_axes_[static_cast<std::size_t>(index)])
+  /// Storage index of a controlled axis, counted from 0; nullopt: there is none of this number.
+  [[nodiscard]] std::optional<int> controlled_axis(int number) const {
+    const auto place = static_cast<std::size_t>(number);
+    return number >= 0 && place < controlled_axes.size()
+               ? std::optional(axis_index(controlled_axes[place]))
                : std::nullopt;
   }
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
@@ -161,8 +157,6 @@ struct Control : ControlState {
   void choose_system_variables();
 
   machine::AxisChainSetup sheet_kinematics_;
-  std::array<int, kAxisCount> controlled_axes_ = {0, 1, 2, 3, 4, 5};  ///< storage indices
-  int controlled_axis_count_ = static_cast<int>(kAxisCount);
   bool compensates_ = false;  // the machine has tables
   machine::AxisData of_machine_ = port.axis_data();
 

@@ -14,17 +14,6 @@
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
-namespace {
-
-bool are_same(const runtime::ShownValue& a, const runtime::ShownValue& b) {
-  const auto* const x = std::get_if<runtime::Cell>(&a);
-  const auto* const y = std::get_if<runtime::Cell>(&b);
-  return x != nullptr && y != nullptr ? equal(*x, *y)
-                                      : std::get<std::string>(a) == std::get<std::string>(b);
-}
-
-}  // namespace
-
 std::vector<WrittenValue> WrittenValues::before(const Op& op) {
   std::vector<WrittenValue> written = written_by(op);
   for (WrittenValue& value : written) {
@@ -37,7 +26,7 @@ void WrittenValues::tell(const std::vector<WrittenValue>& written, const Op& op,
                          source::Location where, runtime::BlockListener& listener) {
   for (const WrittenValue& value : written) {
     const runtime::ShownValue now = value_now(value, op);
-    if (value.is_assigned || !are_same(now, value.before)) {
+    if (value.is_assigned || now != value.before) {
       listener.on_write({value.name, value.before, now, where});
     }
   }
