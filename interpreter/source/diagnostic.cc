@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/printable.h"
+#include "interpreter/source/readable_text.h"
 #include "machine/base/contract.h"
-#include "machine/base/utf_8.h"
 
 namespace g31::source {
 namespace {
@@ -35,11 +35,14 @@ std::string excerpt(const ShownPlace& place, std::size_t length) {
   const std::size_t column = before - std::min(from, before);
   const std::size_t room = line.size() > column ? line.size() - column : 1;
   const std::size_t width = std::clamp<std::size_t>(length, 1, room);
-  const std::string in_front = printable(line.substr(0, column));
-  const std::string marked = printable(line.substr(std::min(column, line.size()), width));
-  const std::size_t tildes = std::max<std::size_t>(character_count(marked), 1) - 1;
-  const std::size_t blanks = character_count(in_front) + (column - std::min(column, line.size()));
-  return fmt::format("{:5} | {}\n{:5} | {}^{}\n", place.line, printable(line), "",
+  const auto shown = [writing = writing_of(whole)](std::string_view piece) {
+    return printable(read_as(writing, piece));
+  };
+  const std::string in_front = shown(line.substr(0, column));
+  const std::string marked = shown(line.substr(std::min(column, line.size()), width));
+  const std::size_t tildes = std::max<std::size_t>(cell_count(marked), 1) - 1;
+  const std::size_t blanks = cell_count(in_front) + (column - std::min(column, line.size()));
+  return fmt::format("{:5} | {}\n{:5} | {}^{}\n", place.line, shown(line), "",
                      std::string(blanks, ' '), std::string(tildes, '~'));
 }
 

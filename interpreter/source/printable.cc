@@ -1,5 +1,7 @@
 #include "interpreter/source/printable.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "machine/base/utf_8.h"
@@ -22,7 +24,46 @@ std::size_t length_beyond_ascii(std::string_view text) {
   return is_character && length > 1 && !is_control ? length : 0;  // C1: some terminals obey it
 }
 
+struct WideRange {
+  char32_t first;
+  char32_t last;
+};
+/// Scripts and signs of East Asia, and pictures.
+constexpr WideRange kWide[] = {
+    {0x1100, 0x115F},   {0x2E80, 0x303E},   {0x3041, 0xA4CF},   {0xA960, 0xA97C},
+    {0xAC00, 0xD7A3},   {0xF900, 0xFAFF},   {0xFE30, 0xFE6F},   {0xFF01, 0xFF60},
+    {0xFFE0, 0xFFE6},   {0x1F300, 0x1F64F}, {0x1F680, 0x1F6FF}, {0x1F900, 0x1F9FF},
+    {0x20000, 0x3FFFD},
+};
+
+bool is_wide(char32_t character) {
+  return std::ranges::any_of(kWide, [character](const WideRange& range) {
+    return range.first <= character && character <= range.last;
+  });
+}
+
+/// Of one character in UTF-8.
+char32_t code_point(std::string_view bytes) {
+  constexpr std::size_t kBitsBehindLead = 6;
+  const unsigned lead_bits = bytes.size() == 1 ? 0x7FU : 0x7FU >> bytes.size();
+  char32_t point = byte_of(bytes[0]) & lead_bits;
+  for (const char next : bytes.substr(1)) {
+    point = point << kBitsBehindLead | (byte_of(next) & 0x3FU);
+  }
+  return point;
+}
+
 }  // namespace
+
+std::size_t cell_count(std::string_view printable) {
+  std::size_t cells = 0;
+  while (!printable.empty()) {
+    const std::size_t length = utf_8_piece(printable).length;
+    cells += is_wide(code_point(printable.substr(0, length))) ? 2U : 1U;
+    printable.remove_prefix(length);
+  }
+  return cells;
+}
 
 std::string printable(std::string_view text) {
   std::string shown;

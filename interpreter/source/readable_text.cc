@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "interpreter/source/latin_1.h"
+#include "machine/base/contract.h"
 #include "machine/base/utf_8.h"
 
 namespace g31::source {
@@ -53,32 +53,56 @@ char16_t character_of(Byte lead, Byte trail) {
   return row->characters[trail < 0x7F ? trail - 0x40U : trail - 0x41U];
 }
 
-/// nullopt: it is no Shift-JIS, or nothing speaks for it.
-std::optional<std::string> from_shift_jis(std::string_view bytes) {
+struct ShiftJisPiece {
+  std::size_t length;  ///< bytes, 1 or 2
+  char16_t character;  ///< kNone: the byte is none, nor does it begin one
+};
+
+/// REQUIRES: there is at least one byte.
+ShiftJisPiece shift_jis_piece(std::string_view bytes) {
   constexpr char16_t kFirstKatakana = 0xFF61;  // of byte 0xA1
-  std::string text;
+  const auto byte = static_cast<Byte>(bytes.front());
+  if (byte < 0x80) {
+    return {1, byte};
+  }
+  if (is_half_width_katakana(byte)) {
+    return {1, static_cast<char16_t>(kFirstKatakana + (byte - 0xA1))};
+  }
+  const char16_t character =
+      bytes.size() > 1 ? character_of(byte, static_cast<Byte>(bytes[1])) : kNone;
+  return {character == kNone ? std::size_t{1} : std::size_t{2}, character};
+}
+
+/// Whether it can be Shift-JIS, and something speaks for it.
+bool is_shift_jis(std::string_view bytes) {
   bool is_likely = false;
   bool is_behind_katakana = false;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const auto byte = static_cast<Byte>(bytes[i]);
-    if (byte < 0x80) {
-      text.push_back(bytes[i]);
-    } else if (is_half_width_katakana(byte)) {
-      is_likely = is_likely || is_behind_katakana;
-      append(static_cast<char16_t>(kFirstKatakana + (byte - 0xA1)), text);
-    } else {
-      const char16_t character =
-          i + 1 < bytes.size() ? character_of(byte, static_cast<Byte>(bytes[i + 1])) : kNone;
-      if (character == kNone) {
-        return std::nullopt;
-      }
-      is_likely = is_likely || byte <= 0x9F;
-      append(character, text);
-      ++i;
+  while (!bytes.empty()) {
+    const auto [length, character] = shift_jis_piece(bytes);
+    if (character == kNone) {
+      return false;
     }
-    is_behind_katakana = is_half_width_katakana(byte);
+    const auto byte = static_cast<Byte>(bytes.front());
+    const bool is_katakana = is_half_width_katakana(byte);
+    is_likely = is_likely || (length == 2 && byte <= 0x9F) || (is_katakana && is_behind_katakana);
+    is_behind_katakana = is_katakana;
+    bytes.remove_prefix(length);
   }
-  return is_likely ? std::optional(std::move(text)) : std::nullopt;
+  return is_likely;
+}
+
+std::string from_shift_jis(std::string_view bytes) {
+  std::string text;
+  while (!bytes.empty()) {
+    const auto [length, character] = shift_jis_piece(bytes);
+    if (character < 0x80) {
+      text.push_back(static_cast<char>(character));
+    } else {
+      append(character, text);
+    }
+    bytes.remove_prefix(length);
+  }
+  return text;
 }
 
 bool is_utf_8(std::string_view bytes) {
@@ -92,22 +116,31 @@ bool is_utf_8(std::string_view bytes) {
   return true;
 }
 
-std::string readable_line(std::string_view bytes) {
-  if (is_utf_8(bytes)) {
-    return std::string(bytes);
-  }
-  auto text = from_shift_jis(bytes);
-  return text ? *std::move(text) : as_utf8(bytes);
+}  // namespace
+
+Writing writing_of(std::string_view line) {
+  return is_utf_8(line) ? Writing::Utf8 : is_shift_jis(line) ? Writing::ShiftJis : Writing::Latin1;
 }
 
-}  // namespace
+std::string read_as(Writing writing, std::string_view bytes) {
+  switch (writing) {
+    case Writing::Utf8:
+      return std::string(bytes);
+    case Writing::ShiftJis:
+      return from_shift_jis(bytes);
+    case Writing::Latin1:
+      return as_utf8(bytes);
+  }
+  contract_violated("every Writing is read", __FILE__, __LINE__);
+}
 
 std::string readable_text(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size());
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    text += readable_line(bytes.substr(0, end));
+    const std::string_view line = bytes.substr(0, end);
+    text += read_as(writing_of(line), line);
     text += end < bytes.size() ? "\n" : "";
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
   }

@@ -5,10 +5,18 @@
 
 namespace g31::source {
 
-/// Bytes of a program as people read them, in UTF-8.  Nothing says what a program's comments are
-/// written in, so each line is judged by itself: valid UTF-8 stays; what reads as Shift-JIS as a
-/// whole, and has a character of two bytes that begins with 0x81 to 0x9F or two half-width katakana
-/// in a row, is Shift-JIS; all else is Latin-1.
+/// What the characters of a line are written in.
+enum class Writing { Utf8, ShiftJis, Latin1 };
+
+/// Nothing says what a program's comments are written in, so each line is judged by itself: valid
+/// UTF-8 is that; what reads as Shift-JIS as a whole, and has a character of two bytes that begins
+/// with 0x81 to 0x9F or two half-width katakana in a row, is Shift-JIS; all else is Latin-1.
+Writing writing_of(std::string_view line);
+
+/// A piece of such a line in UTF-8; U+FFFD where Shift-JIS has no such character.
+std::string read_as(Writing writing, std::string_view bytes);
+
+/// Bytes of a program as people read them, in UTF-8, each line by itself.
 /// @returns as many lines
 std::string readable_text(std::string_view bytes);
 

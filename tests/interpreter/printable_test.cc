@@ -42,6 +42,15 @@ TEST(Printable, KeepsTextAndHidesTheRest) {
   }
 }
 
+TEST(Printable, WideCharactersHaveTwoCells) {
+  EXPECT_EQ(cell_count("G01 X1."), 7);
+  EXPECT_EQ(cell_count("gr\u00F6\u00DFer"), 6);
+  EXPECT_EQ(cell_count("(\u6E2C\u5B9A)"), 6);
+  EXPECT_EQ(cell_count("\uFF8E\uFF9E\uFF71"), 3) << "katakana of half width";
+  EXPECT_EQ(cell_count("\uFF27\uFF10\u3000"), 6) << "of full width";
+  EXPECT_EQ(cell_count("\U0001F527\U00020000"), 4);
+}
+
 TEST(Printable, OneCharacterInWords) {
   EXPECT_EQ(quoted('A'), "'A'");
   EXPECT_EQ(quoted('\''), "'''");

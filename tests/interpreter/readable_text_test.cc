@@ -43,5 +43,14 @@ TEST(ReadableText, IsJudgedLineByLine) {
   EXPECT_EQ(readable_text("(\xD8 20)\n(\x8C\x61)\n(径)\n\n"), "(Ø 20)\n(径)\n(径)\n\n");
 }
 
+TEST(ReadableText, OfAPieceIsReadAsItsLineIs) {
+  const std::string line = "#1=2(\x8C\x61 \xE8\xC0)";
+  ASSERT_EQ(source::writing_of(line), source::Writing::ShiftJis);
+  EXPECT_EQ(source::read_as(source::Writing::ShiftJis, line.substr(8)), "霏)")
+      << "alone it would be Latin-1";
+  EXPECT_EQ(source::read_as(source::Writing::ShiftJis, line.substr(0, 6)), "#1=2(\uFFFD")
+      << "cut in a character";
+}
+
 }  // namespace
 }  // namespace g31::readable_text_test

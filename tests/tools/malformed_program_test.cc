@@ -167,7 +167,7 @@ const Case kAlarms[] = {
     {"marker behind UTF-8", framed("(gr\u00F6\u00DFe)#1=1/0"), 3, "2:11",
      "    2 | (gr\u00F6\u00DFe)#1=1/0\n      |           ^~~"},
     {"marker behind Shift-JIS", framed("(\x83\x5C\x91\xAA)#1=1/0"), 3, "2:10",
-     "    2 | (?\\?\?)#1=1/0\n      |          ^~~"},
+     "    2 | (ソ測)#1=1/0\n      |          ^~~"},
     {"alarm text in Shift-JIS", framed("#3000=1(\x83\x5C\x91\xAA)"), 3, "2:1",
      "error: ソ測 [3001]"},
     {"endless loop", framed("WHILE[1EQ1]DO1\nEND1"), 6, "", "the limit of executed blocks"},

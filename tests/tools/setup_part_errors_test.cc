@@ -21,6 +21,12 @@ sheet1.toml:4:10: error: part.closed is for a part from a file, not for a shape 
     3 | unit = "in"
       |        ^
 )"},
+    {"behind characters of two cells",
+     "part = [{name = \"測定\", file = \"ring.stl\", unit = \"in\"}]\n",
+     R"(sheet1.toml:1:49: error: part.unit is "in", it should be "um", "mm", "cm", "m", "inch" or "foot" [SET105]
+    1 | part = [{name = "測定", file = "ring.stl", unit = "in"}]
+      |                                                   ^
+)"},
 };
 
 TEST_F(SetupErrorText, OfFilesOfParts) {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include <fmt/args.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "interpreter/source/printable.h"
 #include "machine/base/utf_8.h"
@@ -55,12 +57,11 @@ std::string excerpt(const SetupError& error) {
   const bool cut = characters.size() > kShownColumns && before > kShownColumns / 2;
   const std::size_t from = cut ? before - kShownColumns / 2 : 0;
   const std::size_t until = std::min(characters.size(), from + kShownColumns);
-  std::string line;
-  for (std::size_t i = from; i < until; ++i) {
-    line += characters[i];
-  }
-  return fmt::format("{:5} | {}\n{:5} | {}^\n", error.line, line, "",
-                     std::string(before - from, ' '));
+  const auto shown = [&characters](std::size_t first, std::size_t end) {
+    return fmt::format("{}", fmt::join(std::span(characters).subspan(first, end - first), ""));
+  };
+  return fmt::format("{:5} | {}\n{:5} | {}^\n", error.line, shown(from, until), "",
+                     std::string(source::cell_count(shown(from, before)), ' '));
 }
 
 }  // namespace
