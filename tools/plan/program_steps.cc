@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "tools/plan/measures.h"
+#include "tools/plan/plan_uses.h"
 
 namespace g31::plan {
 namespace {
@@ -41,6 +42,7 @@ class StepMaker {
  public:
   explicit StepMaker(const probe::InspectionPlan& plan)
       : plan_(plan),
+        uses_(plan),
         keeps_(static_cast<int>(plan.measures.size()) + kContacts <= kProgramVariables),
         pool_(keeps_ ? static_cast<int>(plan.measures.size()) : 1),
         contact_(plan.points.size(), -1) {}
@@ -48,7 +50,7 @@ class StepMaker {
   ProgramSteps made() {
     ProgramSteps made;
     for (std::size_t point = 0; point < plan_.points.size(); ++point) {
-      const probe::PlannedRound* const round = round_of(point);
+      const probe::PlannedRound* const round = uses_.round_of(point);
       if (round == nullptr) {
         made.steps.push_back(step_of(point));
       } else if (point == std::ranges::min(round->points)) {
@@ -68,37 +70,12 @@ class StepMaker {
   }
 
  private:
-  /// That a cycle measures; null: the point is touched by itself.
-  [[nodiscard]] const probe::PlannedRound* round_of(std::size_t point) const {
-    const auto found = std::ranges::find_if(plan_.rounds, [point](const auto& round) {
-      return round.by_points.empty() && std::ranges::count(round.points, point) > 0;
-    });
-    return found == plan_.rounds.end() ? nullptr : &*found;
-  }
-
-  /// The round wall whose diameter a measure is; null: it is none.
-  [[nodiscard]] const probe::PlannedRound* wall_across(std::size_t measure) const {
-    const auto found = std::ranges::find_if(plan_.rounds, [measure](const auto& round) {
-      return std::ranges::count(round.measures, measure) > 0;
-    });
-    const bool is_size = plan_.measures[measure].what == probe::Characteristic::Size;
-    return is_size && found != plan_.rounds.end() ? &*found : nullptr;
-  }
-
-  /// The point whose contact is the last that a measure needs.
-  [[nodiscard]] std::size_t last_point(std::size_t index) const {
-    const probe::PlannedMeasure& measure = plan_.measures[index];
-    const probe::PlannedRound* const wall = wall_across(index);
-    return wall != nullptr ? std::ranges::max(wall->points)
-                           : std::max(measure.first, measure.second);
-  }
-
   /// @pre its points are touched
   [[nodiscard]] StepResult result_of(std::size_t index) const {
     const probe::PlannedMeasure& measure = plan_.measures[index];
     StepResult result{index, keeps_ ? static_cast<int>(index) : 0, contact_[measure.first],
                       contact_[measure.second]};
-    if (const probe::PlannedRound* const wall = wall_across(index)) {
+    if (const probe::PlannedRound* const wall = uses_.wall_across(index)) {
       const auto& [minus_x, plus_x, minus_y, plus_y] = wall->points;
       const bool is_x = measure.first == minus_x || measure.first == plus_x;
       result.round = wall;
@@ -129,38 +106,21 @@ class StepMaker {
     ProgramStep step;
     step.point = point;
     step.contact = contact_[point] = pool_.take();
-    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
-      const probe::PlannedMeasure& measure = plan_.measures[i];
-      if (measure.first == point || measure.second == point) {
-        step.feature = measure.feature;
-        step.direction_P = measure.direction_P;
-      }
-      if (last_point(i) == point) {
-        step.results.push_back(result_of(i));
-      }
+    for (const std::size_t i : uses_.measures_at(point)) {
+      step.feature = plan_.measures[i].feature;
+      step.direction_P = plan_.measures[i].direction_P;
     }
-    for (std::size_t touched = 0; touched <= point; ++touched) {
-      if (last_use(touched) == point) {
-        pool_.give_back(contact_[touched]);
-      }
+    for (const std::size_t i : uses_.measures_ready_at(point)) {
+      step.results.push_back(result_of(i));
+    }
+    for (const std::size_t touched : uses_.points_done_at(point)) {
+      pool_.give_back(contact_[touched]);
     }
     return step;
   }
 
-  /// The point after which no measure needs the contact of this one.
-  [[nodiscard]] std::size_t last_use(std::size_t point) const {
-    std::size_t last = point;
-    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
-      const probe::PlannedMeasure& measure = plan_.measures[i];
-      const probe::PlannedRound* const wall = wall_across(i);
-      const bool is_needed = measure.first == point || measure.second == point ||
-                             (wall != nullptr && std::ranges::count(wall->points, point) > 0);
-      last = is_needed ? std::max(last, last_point(i)) : last;
-    }
-    return last;
-  }
-
   const probe::InspectionPlan& plan_;
+  PlanUses uses_;
   bool keeps_;
   Pool pool_;
   std::vector<int> contact_;  // of each point; -1: not touched so far
