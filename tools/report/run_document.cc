@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -127,18 +128,22 @@ Json call_json(const CallSpan& call, const source::SourceMap& sources) {
   return object;
 }
 
+/// What is told of lines, by their numbers.
+template <typename Told>
+Json json_by_line(const std::map<int, Told>& told) {
+  Json object = Json::object();
+  auto& members = object.get_ref<Json::object_t&>();
+  members.reserve(told.size());
+  for (const auto& [line, value] : told) {
+    members.emplace_back(std::to_string(line), value);  // operator[] would look through all of them
+  }
+  return object;
+}
+
 Json counts_json(const coverage::FileCoverage& coverage) {
-  Json lines = Json::object();
-  for (const auto& [line, runs] : coverage.lines) {
-    lines[std::to_string(line)] = runs;
-  }
-  Json conditions = Json::object();
-  for (const auto& [line, times] : coverage.conditions) {
-    conditions[std::to_string(line)] = times;
-  }
   return {{"file", std::filesystem::path(coverage.file).filename().string()},
-          {"lines", std::move(lines)},
-          {"conditions", std::move(conditions)}};
+          {"lines", json_by_line(coverage.lines)},
+          {"conditions", json_by_line(coverage.conditions)}};
 }
 
 Json history_json(const VariableHistory& history) {
