@@ -215,7 +215,8 @@ TEST(DataFiles, OptionsThatDoNotFitAreRefused) {
   }
   cli::EvaluateOptions missing = of_circle();
   missing.file = "no/such/file.csv";
-  EXPECT_EQ(testing::run_evaluate(missing).errors, "g31: error: cannot read no/such/file.csv\n");
+  EXPECT_EQ(testing::run_evaluate(missing).errors,
+            "g31: error: cannot read no/such/file.csv: no such file\n");
 }
 
 TEST(DataFiles, OfRubbishNeverCrash) {

@@ -100,6 +100,7 @@ TEST(WriteWholeFile, SaysWhyItCannotAndLeavesNothing) {
     const auto problem = disk::write_whole_file(path, "text");
     ASSERT_TRUE(problem.has_value());
     EXPECT_EQ(*problem, "cannot write " + path + ": " + why);
+    EXPECT_EQ(disk::why_not_begun(path), why);
   }
   EXPECT_EQ(folder.names().size(), 3U);
 }
@@ -108,6 +109,9 @@ TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
   TemporaryFolder folder;
   const std::string file = folder.write("file", "before");
   fs::create_symlink("file", folder.path("link"));
+  EXPECT_EQ(disk::why_not_begun(folder.path("link")), std::nullopt);
+  EXPECT_EQ(disk::Disk().read(file), "before") << "to ask changes nothing";
+  EXPECT_EQ(folder.names().size(), 2U);
   EXPECT_EQ(disk::write_whole_file(folder.path("link"), "after"), std::nullopt);
   EXPECT_TRUE(fs::is_symlink(folder.path("link")));
   EXPECT_EQ(disk::Disk().read(file), "after");
@@ -134,6 +138,7 @@ TEST(WriteWholeFile, WaitsForNobodyForEver) {
   TemporaryFolder folder;
   const std::string pipe = folder.path("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(disk::why_not_begun(pipe), std::nullopt) << "a reader may come";
   EXPECT_EQ(disk::write_whole_file(pipe, "line\n"),
             "cannot write " + pipe + ": nobody has read this pipe for 3 s");
 }

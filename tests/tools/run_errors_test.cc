@@ -1,12 +1,15 @@
 // What a user can do wrong with `g31 run`: each gets its place, its words, its exit code, and
 // nothing is written.
 
+#include <filesystem>
 #include <functional>
 
 #include <gtest/gtest.h>
 
 #include "machine/base/contract.h"
+#include "tests/support/captured.h"
 #include "tests/support/run_program.h"
+#include "tools/cli/run_command.h"
 #include "tools/cli/run_refusal.h"
 
 namespace g31::run_errors_test {
@@ -186,6 +189,34 @@ TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
     EXPECT_EQ(output.document.at("status"), "usage");
     EXPECT_EQ(output.document.at("exit_code"), 2);
   }
+}
+
+TEST(RunErrors, AnOutputThatHasNoPlaceIsToldBeforeTheRun) {
+  TemporaryFolder folder;
+  const std::string json = folder.path("none/result.json");
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", "O1\n#500=1\nM30\n")};
+  options.setups = {folder.write("sheet.toml", "[control]\nvariables_file = \"kept.vars\"\n")};
+  options.json = json;
+  const auto said = testing::captured([&] { return cli::run_command(options); });
+  EXPECT_EQ(said.errors,
+            "g31: error: --json " + json + ": cannot write: No such file or directory\n");
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_EQ(folder.names().size(), 2U) << "no variables were kept";
+}
+
+TEST(RunErrors, AVariablesFileThatCannotBeReadIsNotReplaced) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("kept.vars"));
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", "O1\nM30\n")};
+  options.setups = {folder.write("sheet.toml", "[control]\nvariables_file = \"kept.vars\"\n")};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("cannot read the variables file " + folder.path("kept.vars") +
+                               ": it is a folder\n"),
+            std::string::npos)
+      << output.errors;
 }
 
 TEST(RunErrors, ADefectBeforeARunBeginsHasItsDocument) {

@@ -70,6 +70,37 @@ bool is_definition_file(const std::string& path) {
   return in_small_letters(std::filesystem::path(path).extension().string()) == ".def";
 }
 
+bool lies_in(const std::string& folder, const std::string& tree) {
+  const std::filesystem::path way = std::filesystem::path(folder).lexically_relative(tree);
+  return !way.empty() && *way.begin() != "..";
+}
+
+/// Whether somebody who names a folder that holds both means that programs of one may call those of
+/// the other.  Other workpieces of a SINUMERIK are not looked into by the control either.
+bool are_of_one_tree(const std::string& a, const std::string& b, const ProgramPaths& paths) {
+  const std::string ending = in_small_letters(std::filesystem::path(b).extension().string());
+  return ending != ".wpd" && std::ranges::any_of(paths.trees, [&](const std::string& tree) {
+           return lies_in(a, tree) && lies_in(b, tree);
+         });
+}
+
+/// The other folders of the control in which a group may look for what it calls, the nearest first.
+std::vector<std::string> folders_around(const Group& group, const std::vector<Group>& groups,
+                                        const ProgramPaths& paths) {
+  std::vector<std::string> around;
+  for (const Group& other : groups) {
+    if (other.folder != group.folder &&
+        session::name_of(other.control) == session::name_of(group.control) &&
+        are_of_one_tree(group.folder, other.folder, paths)) {
+      around.push_back(other.folder);
+    }
+  }
+  std::ranges::stable_sort(around, std::ranges::greater(), [&](const std::string& folder) {
+    return common_folders(group.folder, folder);
+  });
+  return around;
+}
+
 /// All definition files that are checked hold for all programs, as in the memory of a control;
 /// those that lie nearest come first.
 void add_definitions(analysis::ProgramSet& programs, const Group& group,
@@ -106,6 +137,9 @@ void add_callable(analysis::ProgramSet& programs, const Group& group,
     programs.add_folder(folder);
   }
   add_definitions(programs, group, groups);
+  for (const std::string& folder : folders_around(group, groups, request.paths)) {
+    programs.add_folder(folder);
+  }
   if (const std::string shipped = shipped_for(group.control); !shipped.empty()) {
     programs.add_shipped_folder(shipped);
   }

@@ -17,7 +17,7 @@ namespace g31::check {
 struct Request {
   ProgramPaths paths;
   std::optional<session::Control> control;  ///< of all; without one each file speaks for itself
-  std::vector<std::string> libraries;       ///< folders of subprograms
+  std::vector<std::string> libraries;       ///< folders of subprograms, each without those below
   runtime::ControlSetup setup;              ///< what the sheets say the control knows
   /// Told behind each file of `paths`.
   std::function<void()> file_done = [] {};
@@ -33,8 +33,9 @@ struct Findings {
 ///
 /// Beside those of the files, the findings of definition files that a run would read with them.
 /// Looks up what a program calls as a run of it would: in its file, in the other files of its
-/// folder that are checked, in those that are named, in its folder, in the libraries and among the
-/// programs shipped with g31.
+/// folder that are checked, in those that are named, in its folder, in the libraries, in the
+/// folders that are checked with its own, the nearest first, and among the programs shipped with
+/// g31.
 /// @param sources  gets the files that are read, and so shows where the findings are
 Findings check(const Request& request, source::SourceMap& sources);
 

@@ -143,6 +143,7 @@ ProgramPaths program_paths(const std::vector<std::string>& named) {
       const std::size_t closed = paths.closed.size();
       const std::vector<std::string> found = programs_below(name, paths.closed);
       std::ranges::for_each(found, add);
+      paths.trees.push_back(fs::path(name).lexically_normal().string());
       if (found.empty() && paths.closed.size() == closed) {
         paths.empty.push_back(name);
       }

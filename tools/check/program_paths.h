@@ -9,6 +9,7 @@ namespace g31::check {
 struct ProgramPaths {
   std::vector<std::string> files;    ///< each once, in the order named; those of a folder by name
   std::vector<std::string> named;    ///< of them those that are named themselves
+  std::vector<std::string> trees;    ///< folders that are named
   std::vector<std::string> missing;  ///< named, but no file or folder
   /// A folder that is named or lies below one that is, whose files cannot be told.
   struct Closed {

@@ -23,7 +23,7 @@
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
-#include "tools/session/load_programs.h"
+#include "tools/session/library_folders.h"
 #include "tools/session/prepare.h"
 #include "tools/setup/toml_reader.h"
 
@@ -52,12 +52,6 @@ std::optional<session::Refusal> why_not(const CheckOptions& options) {
   for (const std::string& rule : options.disabled) {
     if (const auto wrong = check::why_no_rule(rule)) {
       return session::bad_input(fmt::format("--disable {}: {}", rule, *wrong));
-    }
-  }
-  disk::Disk disk;
-  for (const std::string& folder : options.libraries) {
-    if (auto wrong = session::wrong_library(disk, folder)) {
-      return wrong;
     }
   }
   if (options.baseline == "-" && std::ranges::find(options.files, "-") != options.files.end()) {
@@ -119,7 +113,7 @@ std::vector<session::Refusal> left_out(const check::Request& request,
     all.push_back(session::closed_folder(folder, why));
   }
   for (const std::string& path : checked.unreadable) {
-    all.push_back(session::unreadable_program(path));
+    all.push_back(session::unreadable("program", path));
   }
   return all;
 }
@@ -165,7 +159,12 @@ Result<check::Request, session::Refusal> request_of(const CheckOptions& options)
   }
   request.control = control.value();
   request.paths = check::program_paths(options.files);
-  request.libraries = options.libraries;
+  disk::Disk disk;
+  const auto libraries = session::library_folders(options.libraries, disk);
+  if (!libraries) {
+    return libraries.error();
+  }
+  request.libraries = libraries.value();
   return request;
 }
 
@@ -182,7 +181,7 @@ ExitCode list_rules(const CheckOptions& options) {
 ExitCode check_command(const CheckOptions& options) {
   const bool is_for_people = options.format == CheckOptions::Format::Text;
   if (const auto wrong =
-          wrong_place({{"--json", options.json}, {"--format", is_for_people ? "" : "-"}},
+          wrong_place({{"--json", options.json, true}, {"--format", is_for_people ? "" : "-"}},
                       {options.files, options.setups, {options.baseline}})) {
     return refuse(*wrong);
   }

@@ -52,7 +52,9 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
   add_control_option(*check, options.control,
                      "control profile of all programs; without it as the sheet says, else by file "
                      "ending and content");
-  check->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
+  check
+      ->add_option("--lib", options.libraries,
+                   "folder of subprograms, with those below it; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
   add_choice(*check, "--format", options.format, kFormats,
@@ -99,13 +101,14 @@ std::string check_examples() {
          "and\n"
          ".arc are programs, and texts that begin with % and O1234 or with %_N_.\n"
          "Findings go to standard output, each with its place and its rule.  Subprograms are "
-         "looked up\n"
-         "in the file, beside it, in the other files named, in --lib and among those that come "
-         "with\n"
-         "g31; a G or M code that parameters make a macro call is taken as it is.  A comment "
-         "disables rules\n"
-         "for its own line; alone on a line for the next block; before the first block for the "
-         "file.\n\n";
+         "looked\n"
+         "up in the file, beside it, in the other files named, in --lib, in the other folders "
+         "below\n"
+         "one that is named (the nearest first; never in other workpieces, *.WPD, of a SINUMERIK)\n"
+         "and among those that come with g31.  A G or M code that parameters make a macro call is\n"
+         "taken as it is.  A comment disables rules for its own line; alone on a line for the "
+         "next\n"
+         "block; before the first block for the file.\n\n";
 }
 
 }  // namespace g31::cli

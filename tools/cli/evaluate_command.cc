@@ -241,12 +241,12 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   const auto refused = [&options](const session::Refusal& wrong) {
     return refuse(wrong, options.json, "g31.evaluation/1");
   };
-  if (const auto wrong =
-          wrong_place({{"--json", options.json},
-                       {"--svg", options.svg},
-                       {"--report", options.report},
-                       {"--compensation", file_given(options, evaluate::OptionId::Compensation)}},
-                      {{options.file, file_given(options, evaluate::OptionId::Diameters)}})) {
+  if (const auto wrong = wrong_place(
+          {{"--json", options.json, true},
+           {"--svg", options.svg, true},
+           {"--report", options.report},
+           {"--compensation", file_given(options, evaluate::OptionId::Compensation), true}},
+          {{options.file, file_given(options, evaluate::OptionId::Diameters)}})) {
     return refuse(*wrong);
   }
   const auto asked = evaluate_request(options);

@@ -66,6 +66,9 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
       return session::bad_input(fmt::format("{} and {} cannot both be {}", taken->option,
                                             output->option, is_stream ? "standard output" : path));
     }
+    if (const auto why = output->is_written_last ? disk::why_not_begun(path) : std::nullopt) {
+      return session::bad_input(fmt::format("{} {}: cannot write: {}", output->option, path, *why));
+    }
   }
   return std::nullopt;
 }

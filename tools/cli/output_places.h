@@ -13,6 +13,8 @@ namespace g31::cli {
 struct OutputPlace {
   std::string_view option;
   std::string path;  ///< "-": standard output; "": nothing is wanted
+  /// Whether it is written when the work is done; otherwise the command sees to its place itself.
+  bool is_written_last = false;
 };
 
 /// Of a text that is to name a file for an output: what is wrong with it; empty: nothing.
@@ -21,8 +23,8 @@ std::string why_no_place(const std::string& text);
 /// Of a text that is to say where printouts go: the same.
 std::string why_no_printer(const std::string& text);
 
-/// Why outputs may not be where they are wanted: a file that is to be read is there, or another
-/// output is to be.
+/// Why outputs may not be where they are wanted: a file that is to be read is there, another output
+/// is to be, or nothing can be written there.
 /// @param inputs  lists of files and folders that the command reads, or has read
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
                                             const std::vector<std::vector<std::string>>& inputs);

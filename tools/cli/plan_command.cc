@@ -268,7 +268,7 @@ Wrong wrong_output(const PlanOptions& options) {
   for (const char* const name : {"plan.json", "plan.html", "setup.toml"}) {
     outputs.push_back({"-o", (fs::path(options.folder) / name).string()});
   }
-  outputs.push_back({"--json", options.json});
+  outputs.push_back({"--json", options.json, true});
   return wrong_place(outputs,
                      {{options.product, options.stock, options.setup, options.as_machined}});
 }

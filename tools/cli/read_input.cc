@@ -14,7 +14,7 @@ Result<std::string, session::Refusal> read_input(disk::Disk& disk, const std::st
   }
   auto text = disk.read(path);
   return text ? Result<std::string, session::Refusal>(*std::move(text))
-              : session::bad_input(fmt::format("cannot read {}", path));
+              : session::unreadable("", path);
 }
 
 }  // namespace g31::cli

@@ -1,6 +1,5 @@
 #include "tools/cli/run_page.h"
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -119,7 +118,7 @@ Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,
   const auto size = disk.size(path);
   const auto text = size && *size <= kMostBytes ? disk.read(path) : std::nullopt;
   if (!text) {
-    return session::bad_input(fmt::format("--compare: cannot read {}", path));
+    return session::unreadable("document", path);
   }
   auto other = page::other_run(*text, job);
   return other ? Result<page::OtherRun, session::Refusal>(other.value())
@@ -139,19 +138,10 @@ std::optional<session::Refusal> wrong_report(const std::string& report) {
   if (auto wrong = why_no_page("--report")) {
     return wrong;
   }
-  // Before the work, not behind it; what is no file is not disturbed before there is a page.
-  std::error_code unknown;
-  if (std::filesystem::is_directory(report, unknown)) {
-    return session::bad_input(fmt::format("--report {}: cannot write: it is a folder", report));
-  }
-  if (std::filesystem::exists(report, unknown) &&
-      !std::filesystem::is_regular_file(report, unknown)) {
-    return std::nullopt;
-  }
-  const auto place = disk::PartFile::create(report);
-  return place ? std::nullopt
-               : std::optional(session::bad_input(
-                     fmt::format("--report {}: cannot write: {}", report, place.error())));
+  const auto why = disk::why_not_begun(report);
+  return why ? std::optional(
+                   session::bad_input(fmt::format("--report {}: cannot write: {}", report, *why)))
+             : std::nullopt;
 }
 
 std::string language_given(page::Language language) {

@@ -120,7 +120,7 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
 
 std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
                                                const std::vector<std::string>& read) {
-  return wrong_place({{"--json", options.json},
+  return wrong_place({{"--json", options.json, true},
                       {"--jsonl", options.jsonl},
                       {"--report", options.report},
                       {"--trace", options.trace},

@@ -20,7 +20,9 @@ CLI::App* add_setup_command(CLI::App& app, SetupOptions& options) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_control_option(*setup, options.control, "control profile, instead of the sheet's");
-  setup->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
+  setup
+      ->add_option("--lib", options.libraries,
+                   "folder of subprograms, with those below it; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
   setup->add_option("--json", options.json, "document g31.setup/1; - is standard output")

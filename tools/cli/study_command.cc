@@ -107,9 +107,9 @@ Result<std::optional<study::Shard>, Refusal> asked_shard(const StudyOptions& opt
 /// @param read  what the study reads
 std::optional<Refusal> wrong_place_of(const StudyOptions& options,
                                       const std::vector<std::string>& read) {
-  return wrong_place({{"--json", options.json},
-                      {"--csv", options.csv},
-                      {"--svg", options.svg},
+  return wrong_place({{"--json", options.json, true},
+                      {"--csv", options.csv, true},
+                      {"--svg", options.svg, true},
                       {"--report", options.report}},
                      {options.merge, {options.study}, read});
 }
@@ -185,7 +185,7 @@ Made merge_shards(const StudyOptions& options) {
   for (const std::string& path : options.merge) {
     const auto text = disk.read(path);
     if (!text) {
-      return session::bad_input(fmt::format("cannot read the shard {}", path));
+      return session::unreadable("shard", path);
     }
     const auto part = study::parse_record(*text);
     if (!part) {

@@ -230,4 +230,17 @@ std::optional<std::string> PartFile::finish() {
   return error_ == 0 ? std::nullopt : std::optional(words_for(error_));
 }
 
+std::optional<std::string> why_not_begun(const std::string& path) {
+  struct stat is = {};
+  const bool is_there = path != "-" && ::stat(path.c_str(), &is) == 0;
+  if (path == "-" || (is_there && is_device_or_pipe(is))) {
+    return std::nullopt;
+  }
+  if (is_there && S_ISDIR(is.st_mode)) {
+    return words_for(EISDIR);
+  }
+  const auto file = PartFile::create(path);
+  return file ? std::nullopt : std::optional(file.error());
+}
+
 }  // namespace g31::disk

@@ -54,4 +54,9 @@ class PartFile {
   int error_ = 0;          ///< errno of the first failure
 };
 
+/// Why PartFile would not begin, asked before the work that fills it; a device or a pipe is not
+/// disturbed before there is something to write.
+/// @returns in the system's words; nullopt: nothing stands against it
+std::optional<std::string> why_not_begun(const std::string& path);
+
 }  // namespace g31::disk

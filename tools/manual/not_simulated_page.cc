@@ -24,6 +24,8 @@ without a word: what they say has nothing to act on here.
 * Positioning errors, squareness, backlash, friction and lag are those of the sheet; nothing vibrates, nothing wears.
 * Compensation tables move the axes as their values say, without a limit of their sum: $AA_ENC_COMP, $AN_CEC, a
   Fanuc's pitch errors and straightness of linear axes.
+* Axes stand where they are told to, to the last digit: SINUMERIK's MD10200 and MD10210 (increments a millimetre, a
+  degree) and the detection unit of a Fanuc round nothing.
 * A probe fails as `probe.state` says; radio or optical transmission and its range are not there.
 * Doors, pallets, tool changers, coolant, chips and bar feeders are not there: M codes that g31 does not know do nothing.
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from

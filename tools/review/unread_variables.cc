@@ -15,6 +15,7 @@
 #include "tools/disk/shipped.h"
 #include "tools/review/setup_rules.h"
 #include "tools/session/analysed_programs.h"
+#include "tools/session/library_folders.h"
 
 namespace g31::review {
 namespace {
@@ -25,12 +26,13 @@ namespace fs = std::filesystem;
 std::set<std::string> own_files(const session::Request& request) {
   std::set<std::string> files(request.programs.begin(), request.programs.end());
   std::set<std::string> endings = {".nc", ".NC", ".spf", ".SPF", ".mpf", ".MPF"};
-  std::vector<std::string> folders = request.libraries;
+  disk::Disk disk;
+  const auto libraries = session::library_folders(request.libraries, disk);
+  std::vector<std::string> folders = libraries ? libraries.value() : std::vector<std::string>();
   for (const std::string& program : request.programs) {
     endings.insert(fs::path(program).extension().string());
     folders.push_back(fs::path(program).parent_path().string());
   }
-  disk::Disk disk;
   for (const std::string& folder : folders) {
     for (const std::string& name : disk.list(folder)) {
       if (endings.contains(fs::path(name).extension().string())) {

@@ -1,6 +1,7 @@
 #include "tools/session/prepare.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -55,11 +56,11 @@ Result<Control, Refusal> chosen_control(const Request& request, const setup::Job
 std::optional<Refusal> take_kept_variables(source::FileSystem& files, setup::Job& job) {
   const std::string& path = job.control.variables_file;
   const auto text = path.empty() ? std::nullopt : files.read(path);
-  if (!text && disk::given_up_input()) {
-    return bad_input(fmt::format("cannot read {}", path));
-  }
   if (!text) {
-    return std::nullopt;
+    std::error_code unknown;
+    const bool is_there = !path.empty() && std::filesystem::exists(path, unknown);
+    return is_there || disk::given_up_input() ? std::optional(unreadable("variables file", path))
+                                              : std::nullopt;
   }
   const auto kept = parse_variables_text(path, *text);
   if (!kept) {

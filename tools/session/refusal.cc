@@ -19,8 +19,10 @@ Refusal closed_folder(const std::string& folder, const std::string& why) {
   return bad_input(fmt::format("cannot read the folder {}: {}", folder, why));
 }
 
-Refusal unreadable_program(const std::string& path) {
-  return bad_input(fmt::format("cannot read the program {}: {}", path, disk::why_unreadable(path)));
+Refusal unreadable(std::string_view what, const std::string& path) {
+  return bad_input(fmt::format("cannot read {}{}: {}",
+                               what.empty() ? std::string() : fmt::format("the {} ", what), path,
+                               disk::why_unreadable(path)));
 }
 
 Refusal bad_setup(std::string message) {

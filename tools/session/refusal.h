@@ -22,7 +22,8 @@ struct Refusal {
 Refusal bad_input(std::string message);
 /// A folder that cannot be looked into.  @param why  in the system's words
 Refusal closed_folder(const std::string& folder, const std::string& why);
-Refusal unreadable_program(const std::string& path);
+/// A file that cannot be read, and why.  @param what  it is, as "program"; "": its path says it
+Refusal unreadable(std::string_view what, const std::string& path);
 /// What is wrong with a set-up, found out behind its sheets.
 Refusal bad_setup(std::string message);
 /// Somebody ended the work before anything came of it.

@@ -1,0 +1,81 @@
+// `g31 check FOLDER`: where the programs of a tree find what they call.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/captured.h"
+#include "tests/support/run_program.h"
+
+namespace g31::check_folders_test {
+namespace {
+
+using testing::TemporaryFolder;
+
+class CheckedTree : public ::testing::Test {
+ protected:
+  void write(const std::string& file, const std::string& text) {
+    std::filesystem::create_directories(std::filesystem::path(folder_.path(file)).parent_path());
+    folder_.write(file, text);
+  }
+  [[nodiscard]] testing::CommandOutput check(std::vector<std::string> words) const {
+    for (std::string& word : words) {
+      word = word.starts_with('-') ? word : folder_.path(word);
+    }
+    words.insert(words.begin(), "check");
+    return testing::g31(words);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(CheckedTree, ProgramsCallThoseOfTheOtherFolders) {
+  write("shop/main/bore.nc", "O1\nG65 P9100 D40.\nM30\n");
+  write("shop/macros/probe/O9100.nc", "O9100\n#1=#7\nM99\n");
+  write("shop/macros/kept", "%\nO9200\nM98 P1\nM99\n%\n");
+  const auto whole = check({"shop"});
+  EXPECT_EQ(whole.exit_code, 0) << whole.out << whole.errors;
+  EXPECT_EQ(whole.out, "");
+  const auto alone = check({"shop/main"});
+  EXPECT_EQ(alone.exit_code, 1) << "nobody has named the folder of the macros";
+  EXPECT_NE(alone.out.find("[NC005]"), std::string::npos) << alone.out;
+  EXPECT_EQ(check({"shop/main", "shop/macros"}).exit_code, 1) << "two trees, two machines";
+  EXPECT_EQ(check({"shop/main", "shop/macros/probe/O9100.nc"}).exit_code, 0);
+}
+
+TEST_F(CheckedTree, TheNearestProgramIsTheOneThatIsMeant) {
+  for (const std::string machine : {"a", "b"}) {
+    write(machine + "/MPF.DIR/M.MPF", "UP1(1)\nM30\n");
+  }
+  write("a/SPF.DIR/UP1.SPF", "PROC UP1(REAL X)\nM17\n");
+  write("b/SPF.DIR/UP1.SPF", "PROC UP1\nM17\n");
+  const auto output = check({""});
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.out.find("b/MPF.DIR/M.MPF:1:"), std::string::npos) << output.out;
+  EXPECT_EQ(output.out.find("a/MPF.DIR/M.MPF:1:"), std::string::npos) << output.out;
+}
+
+TEST_F(CheckedTree, LibrariesAreTheFoldersBelowThem) {
+  write("main/bore.nc", "O1\nM98 P9100\nM30\n");
+  write("lib/macros/deep/O9100.nc", "O9100\nM99\n");
+  EXPECT_EQ(check({"main/bore.nc"}).exit_code, 1);
+  EXPECT_EQ(check({"main/bore.nc", "--lib", "lib"}).exit_code, 0);
+  const auto output = check({"main/bore.nc", "--lib", "nix"});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("no such folder"), std::string::npos) << output.errors;
+}
+
+TEST_F(CheckedTree, ASinumerikLooksIntoItsSubprogramsAndNotIntoOtherWorkpieces) {
+  write("MPF.DIR/A.MPF", "UP1\nM30\n");
+  write("SPF.DIR/UP1.SPF", "R1=1\nM17\n");
+  EXPECT_EQ(check({""}).exit_code, 0);
+  write("WKS.DIR/X.WPD/X.MPF", "UP1\nUP2\nM30\n");
+  write("WKS.DIR/Y.WPD/UP2.SPF", "R1=1\nM17\n");
+  const auto output = check({""});
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.out.find("X.MPF:2:1: error: alarm 12550"), std::string::npos) << output.out;
+}
+
+}  // namespace
+}  // namespace g31::check_folders_test
