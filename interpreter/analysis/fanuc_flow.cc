@@ -21,13 +21,9 @@ using syntax::Word;
 
 constexpr std::int32_t kMacroAlarm = 3000;  // #3000
 
-std::string name_of(const fanuc::CompiledProgram& program) {
-  return program.number == 0 ? std::string() : fmt::format("O{:04}", program.number);
-}
-
 /// In messages.
 std::string shown_name(const fanuc::CompiledProgram& program) {
-  return program.number == 0 ? std::string("the program") : name_of(program);
+  return program.key.is_empty() ? std::string("the program") : to_text(program.key);
 }
 
 class FanucTranslation {
@@ -42,7 +38,7 @@ class FanucTranslation {
       : program_(program),
         profile_(profile),
         words_(program, profile, reading),
-        builder_(name_of(program), *program.file) {}
+        builder_(to_text(program.key), *program.file) {}
 
   Flow run() {
     for (Index i = 0; i < program_.steps.size(); ++i) {
@@ -56,6 +52,7 @@ class FanucTranslation {
   void follow(Index index);
   void nc_words(const syntax::Block& block);
   void call(const syntax::Block& block, const Word& code);
+  [[nodiscard]] std::string target_of(const Word& p) const;
   void add_unsimulated(const Word& code);
   void constant_jump(const Step& step, Index index, double sequence);
   void stop(Fault fault);
@@ -233,11 +230,7 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
       leaves.by_end |= is_computed || word.number == 2.0 || word.number == 30.0;
       leaves.by_return |= is_computed || word.number == 99.0;
     }
-    const bool calls =
-        !is_computed && ((word.letter == 'G' &&
-                          (word.number == 65.0 || word.number == 66.0 || word.number == 66.1)) ||
-                         (word.letter == 'M' && (word.number == 98.0 || word.number == 198.0)));
-    if (calls && !has_call) {
+    if (fanuc::calls_program(word) && !has_call) {
       has_call = true;
       call(block, word);
     } else if (!has_call && !is_computed && word.letter == 'G') {
@@ -261,6 +254,14 @@ void FanucTranslation::add_unsimulated(const Word& code) {
   }
 }
 
+/// Which program a call names; empty: only a run knows.
+std::string FanucTranslation::target_of(const Word& p) const {
+  return p.form == ValueForm::Name
+             ? to_text(fanuc::key_of_name(fanuc::between_angles(program_.file->text(), p.span)))
+         : p.form == ValueForm::Integer ? fmt::format("O{:04}", p.number)
+                                        : std::string();
+}
+
 void FanucTranslation::call(const syntax::Block& block, const Word& code) {
   const Word* const p = last_word(block, 'P');
   const bool is_subprogram = code.letter == 'M';
@@ -272,7 +273,7 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
                               fmt::format("{}{} without P", code.letter, code.number)));
       stops_ = !may_be_skipped;
     } else {
-      builder_.call({Call::Kind::Subprogram, name_of(program_), false, code.span});
+      builder_.call({Call::Kind::Subprogram, to_text(program_.key), false, code.span});
     }
     return;
   }
@@ -286,7 +287,7 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
   made.kind = is_subprogram         ? Call::Kind::Subprogram
               : code.number == 65.0 ? Call::Kind::Macro
                                     : Call::Kind::Modal;
-  made.target = p->form == ValueForm::Integer ? fmt::format("O{:04}", p->number) : std::string();
+  made.target = target_of(*p);
   made.where = p->span;
   builder_.call(std::move(made));
 }

@@ -17,6 +17,18 @@ namespace {
 /// P of M98 beyond four digits carries the count before the number (MB-214).
 constexpr int kCountFactor = 10'000;
 
+/// Which program a call means.  @pre !call.target.empty()
+fanuc::ProgramKey key_of(const Call& call) {
+  const std::string& target = call.target;
+  fanuc::ProgramKey key;
+  if (target.starts_with('<')) {
+    key.name = target.substr(1, target.size() - 2);
+  } else {
+    std::from_chars(target.data() + 1, target.data() + target.size(), key.number);
+  }
+  return key;
+}
+
 class FanucPrograms final : public ProgramSet {
  public:
   FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources, WordReading reading)
@@ -72,19 +84,19 @@ class FanucPrograms final : public ProgramSet {
     if (call.target.empty() || call.target == caller.program) {
       return std::nullopt;
     }
-    int number = 0;
-    std::from_chars(call.target.data() + 1, call.target.data() + call.target.size(), number);
-    bool is_there = library_.find(number) != nullptr;
-    if (!is_there && call.kind == Call::Kind::Subprogram && number >= kCountFactor) {
-      number %= kCountFactor;
-      is_there = library_.find(number) != nullptr;
+    fanuc::ProgramKey key = key_of(call);
+    bool is_there = library_.find(key) != nullptr;
+    if (!is_there && call.kind == Call::Kind::Subprogram && key.number >= kCountFactor) {
+      key.number %= kCountFactor;
+      is_there = library_.find(key) != nullptr;
     }
     if (is_there) {
       return std::nullopt;
     }
-    const fanuc::AlarmInfo& row = fanuc::info(fanuc::AlarmId::CalledNotFound);
+    const fanuc::AlarmInfo& row = fanuc::info(
+        key.name.empty() ? fanuc::AlarmId::CalledNotFound : fanuc::AlarmId::CalledNameNotFound);
     return Fault{Fault::Kind::Block, fanuc::number_of(row, profile_.alarm_numbers), call.where,
-                 fmt::format("{}: O{:04} is in none of the files and folders", row.text, number),
+                 fmt::format("{}: {} is in none of the files and folders", row.text, to_text(key)),
                  std::string(row.remedy)};
   }
 

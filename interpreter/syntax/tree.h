@@ -61,7 +61,13 @@ struct Expr {
 };
 
 /// How a word's value was written; decides what a number without a point means.
-enum class ValueForm : std::uint8_t { None, Integer, Decimal, Computed };
+enum class ValueForm : std::uint8_t {
+  None,
+  Integer,
+  Decimal,
+  Computed,
+  Name,  ///< `<BORE>` in the place of P and the number of a program; `span` is all of it
+};
 
 /// The addresses ,C and ,R have the two places behind Z.
 inline constexpr char kChamferWord = 'Z' + 1;
@@ -121,7 +127,7 @@ struct Program {
   std::int32_t number = 0;  ///< 0: the file begins without O
   Index first_block = 0;
   Index block_count = 0;
-  ShortSpan name;  ///< `O9010`
+  ShortSpan name;  ///< `O9010`, `<BORE>`
 };
 
 /// Why a block could not be understood: the dialect's error row, place, and words for people.

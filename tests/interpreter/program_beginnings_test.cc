@@ -29,7 +29,7 @@ TEST(ProgramBeginnings, AreFoundWhereverAPieceEnds) {
     const int lines[] = {2, 4, 6, 8};
     const char* const begins[] = {"O0001", " o 12", ":7", "O0003"};
     for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_EQ(found[i].number, numbers[i]) << behind;
+      EXPECT_EQ(found[i].key.number, numbers[i]) << behind;
       EXPECT_EQ(found[i].line, lines[i]) << behind;
       EXPECT_EQ(found[i].offset, text.find(begins[i])) << behind;
       // There is one in the comment behind O0001 already.

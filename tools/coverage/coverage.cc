@@ -30,14 +30,16 @@ std::vector<CountedFile> files_of(const BlockCounts& counts, const source::Sourc
   return list;
 }
 
-/// O9010(NAME): where a program begins, nothing that runs.
-bool is_program_number(std::string_view text) {
-  if (!text.starts_with('O') && !text.starts_with(':')) {
-    return false;
+/// O9010(NAME) or <BORE>: where a program begins, nothing that runs.
+bool is_program_head(std::string_view text) {
+  std::size_t end = 0;
+  if (text.starts_with('O') || text.starts_with(':')) {
+    end = text.find_first_not_of("0123456789", 1);
+  } else if (text.starts_with('<')) {
+    end = text.find('>') + 1;
   }
-  const std::size_t end = text.find_first_not_of("0123456789", 1);
   const std::size_t behind = text.find_first_not_of(" \t", end);
-  return end != 1 && (behind == std::string_view::npos || text[behind] == '(');
+  return end > 1 && (behind == std::string_view::npos || text[behind] == '(');
 }
 
 /// How often a block ran.  The statement of a THEN begins where its IF does, and was counted, too.
@@ -52,7 +54,7 @@ void add_lines(const analysis::Flow& flow, const CountedFile& file, const source
     const analysis::Block& block = flow.blocks[i];
     const std::size_t length = block.span.end - block.span.begin;
     // The end of a SINUMERIK text is a block of its own, and of no line.
-    if (length == 0 || is_program_number(flow.file->text().substr(block.span.begin, length))) {
+    if (length == 0 || is_program_head(flow.file->text().substr(block.span.begin, length))) {
       continue;
     }
     const source::Location where = flow.file->at(block.span.widened());

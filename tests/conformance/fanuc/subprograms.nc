@@ -431,3 +431,206 @@ M99
 (EXPECT #101 = 999)
 (EXPECT #102 = 3)
 (EXPECT #103 = 1)
+
+(CASE MB-002 M98 calls by name)
+(CONTROL fanuc-30i)
+%
+O1
+#1=5
+M98 <Bore-1.A+_> L2
+#101=#1
+M30
+<Bore-1.A+_>
+#100=#100+1
+#1=#1+1
+M99
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = 7)
+
+(CASE MB-002 motion first, then the call by name)
+(CONTROL fanuc-30i)
+%
+O1
+G0 X5. M98<BORE>Q20
+M30
+<BORE>
+#100=1
+N20 #101=#5001
+M99
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 5)
+
+(CASE MB-002 G65 calls by name and passes arguments)
+(CONTROL fanuc-30i)
+%
+O1
+G65 <BORE> A3. L2 B4.
+M30
+<BORE>
+#100=#1
+#101=#2
+#102=#102+1
+M99
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 4)
+(EXPECT #102 = 2)
+
+(CASE MB-002 G66 calls by name)
+(CONTROL fanuc-30i)
+%
+O1
+G66 <BORE> A3.
+G0 X1.
+X2.
+G67
+M30
+<BORE>
+#100=#100+#1
+M99
+%
+(EXPECT #100 = 6)
+
+(CASE MB-002 G66.1 calls by name)
+(CONTROL fanuc-30i)
+%
+O1
+G66.1 <BORE>
+A3.
+G67
+M30
+<BORE>
+#100=#1
+M99
+%
+(EXPECT #100 = 3)
+
+(CASE MB-002 under G66.1 a name is no argument)
+(CONTROL fanuc-30i)
+%
+O1
+G66.1 <BORE>
+M98 <BORE>
+M30
+<BORE>
+M99
+%
+(EXPECT ALARM 129 AT 5)
+
+(CASE MB-002 M198 calls by name)
+(CONTROL fanuc-30i)
+%
+O1
+M198 <BORE>
+M30
+<BORE>
+#100=1
+M99
+%
+(EXPECT #100 = 1)
+
+(CASE MB-002 O and a number are a number between angles, too)
+(CONTROL fanuc-30i)
+%
+O1
+M98 <O0020>
+M98 P21
+M30
+O20
+#100=1
+M99
+<O21>
+#101=#4115
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 21)
+
+(CASE MB-002 a name that is not there)
+(CONTROL fanuc-30i)
+%
+O1
+M98 <Bore>
+M30
+<BORE>
+M99
+%
+(EXPECT ALARM 310 AT 4)
+
+(CASE MB-002 a name of 33 characters)
+(CONTROL fanuc-30i)
+%
+O1
+M98 <A23456789012345678901234567890123>
+M30
+%
+(EXPECT ALARM 311 AT 4)
+
+(CASE MB-002 a name of characters that names have not)
+(CONTROL fanuc-30i)
+%
+O1
+M98 <TWO WORDS>
+M30
+%
+(EXPECT ALARM 311 AT 4)
+
+(CASE MB-002 a name and a number call two programs)
+(CONTROL fanuc-30i)
+%
+O1
+M98 <BORE> P20
+M30
+<BORE>
+M99
+O20
+M99
+%
+(EXPECT ALARM 311 AT 4)
+
+(CASE MB-002 a name stands right behind the code of its call)
+(CONTROL fanuc-30i)
+%
+O1
+G65 A1. <BORE>
+M30
+<BORE>
+M99
+%
+(EXPECT ALARM 311 AT 4)
+
+(CASE MB-002 a 16i calls by number only)
+(CONTROL fanuc-16i)
+%
+O1
+M98 <BORE>
+M30
+<BORE>
+M99
+%
+(EXPECT ALARM 9 AT 4)
+
+(CASE MB-002 so does a 0i-D)
+(CONTROL 0i-MD 0i-D)
+%
+O1
+M98 <BORE>
+M30
+<BORE>
+M99
+%
+(EXPECT ALARM 9 AT 4)
+
+(CASE MB-002 a 0i-F calls by name)
+(CONTROL 0i-MF 0i-F)
+%
+O1
+M98 <BORE>
+M30
+<BORE>
+#100=1
+M99
+%
+(EXPECT #100 = 1)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ class Compiler {
            const Profile& profile, Extent extent)
       : tree_(tree), program_(tree.programs.at(which)), profile_(profile) {
     out_.extent = extent;
-    out_.number = program_.number;
+    out_.key = key_in(file.text(), program_);
     out_.file = &file;
     out_.tree = &tree;
     out_.constants.emplace_back();
@@ -57,6 +58,7 @@ class Compiler {
   void step(Index block_index);
   void assign(const Block& block, Step& step);
   void nc_words(const Block& block, Step& step);
+  void called_name(const Block& block, const syntax::Word& name, Step& step);
   void link_then();
   void link_loops();
   [[nodiscard]] bool is_conditional(Index block) const;
@@ -159,11 +161,27 @@ void Compiler::nc_words(const Block& block, Step& step) {
       out_.word_code.resize(i - out_.first_word, kNone);
       out_.word_code.push_back(expressions_.value(word.expr));
     }
+    if (word.form == syntax::ValueForm::Name) {
+      called_name(block, word, step);
+    }
     if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
       mark_bad(step, AlarmId::IllegalAddress, word.span,
                fmt::format("an expression after {0} needs brackets: {0}[...]",
                            syntax::letter_text(word.letter)));
     }
+  }
+}
+
+/// A call by `<NAME>`.
+void Compiler::called_name(const Block& block, const syntax::Word& name, Step& step) {
+  const auto words = std::span(tree_.words).subspan(block.first_word, block.word_count);
+  if (!profile_.has_program_names) {
+    mark_bad(step, AlarmId::NoProgramNames, name.span, "a call by name");
+  } else if (!is_program_name(between_angles(out_.file->text(), name.span))) {
+    mark_bad(step, AlarmId::CalledByNameFormat, name.span,
+             "a name is 1 to 32 letters, digits and - + _ .");
+  } else if (std::ranges::count(words, 'P', &syntax::Word::letter) > 1) {
+    mark_bad(step, AlarmId::CalledByNameFormat, name.span, "P and a name call two programs");
   }
 }
 
@@ -270,6 +288,11 @@ std::optional<std::int32_t> CompiledProgram::constant_target(const Step& jump) c
 
 bool CompiledProgram::enters_loop(Index from, Index to) const {
   return loops.enters(static_cast<std::int32_t>(from), static_cast<std::int32_t>(to));
+}
+
+ProgramKey key_in(std::string_view text, const syntax::Program& program) {
+  return program.number != 0 ? ProgramKey{program.number, {}}
+                             : ProgramKey{0, std::string(between_angles(text, program.name))};
 }
 
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/dialects/fanuc/vocabulary/program_key.h"
 #include "interpreter/runtime/cell.h"
 #include "interpreter/source/source_file.h"
 #include "interpreter/syntax/nested_steps.h"
@@ -140,7 +142,7 @@ enum class Extent : std::uint8_t { Whole, Window };
 /// One O program, compiled.
 struct CompiledProgram {
   Extent extent = Extent::Whole;
-  std::int32_t number = 0;
+  ProgramKey key;
   const source::SourceFile* file = nullptr;
   const syntax::Tree* tree = nullptr;
   std::vector<Step> steps;
@@ -169,6 +171,9 @@ struct CompiledProgram {
 inline source::Location location_in(const CompiledProgram& program, syntax::ShortSpan span) {
   return program.file->at(span.widened());
 }
+
+/// What a program says that it is called by.
+ProgramKey key_in(std::string_view text, const syntax::Program& program);
 
 /// Compiles program `which` of the tree for a control; what that control lacks becomes an error.
 /// The file and the tree must outlive the result.

@@ -52,10 +52,26 @@ bool writes_number(std::string_view text, int number) {
   return false;
 }
 
+/// Whether a text may have the head of this program.
+bool writes_key(std::string_view text, const ProgramKey& key) {
+  return key.number != 0 ? writes_number(text, key.number) : text.find(to_text(key)) != text.npos;
+}
+
 /// JSON and HTML, as g31 itself leaves them beside programs whose numbers they name.
 bool is_document(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && (text[first] == '{' || text[first] == '<');
+  const std::string_view begin = first != text.npos ? text.substr(first) : "";
+  const std::string_view angles = begin.substr(0, begin.find('>') + 1);
+  const bool is_markup =
+      begin.starts_with('<') &&
+      !is_program_name(between_angles(angles, {0, static_cast<std::uint32_t>(angles.size())}));
+  return begin.starts_with('{') || is_markup;
+}
+
+/// Whether a program without a head has this name by its file: BORE, or BORE.NC.
+bool is_file_of(std::string_view path, std::string_view name) {
+  const std::string_view file = path.substr(path.find_last_of("/\\") + 1);
+  return !name.empty() && (file == name || file.substr(0, file.rfind('.')) == name);
 }
 
 /// `./` is how people and programs write "this folder"; messages are better off without it.
@@ -71,15 +87,25 @@ void use_line_feeds(std::string& text) {
   }
 }
 
-/// Whether a file of this text has a program of this number.
-bool has_program(std::string text, int number) {
+/// The first program of a file that has this key, behind those before `from`.
+std::optional<std::size_t> place_in(const syntax::Tree& tree, std::string_view text,
+                                    const ProgramKey& key, std::size_t from = 0) {
+  for (std::size_t i = from; i < tree.programs.size(); ++i) {
+    if (key_in(text, tree.programs[i]) == key) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Whether a file of this text has such a program.
+bool has_program(std::string text, const ProgramKey& key) {
   if (is_document(text)) {
     return false;
   }
   use_line_feeds(text);
   text = from_tape_code(std::move(text));
-  const auto has_number = [number](const syntax::Program& p) { return p.number == number; };
-  return writes_number(text, number) && std::ranges::any_of(parse(text).programs, has_number);
+  return writes_key(text, key) && place_in(parse(text), text, key).has_value();
 }
 
 }  // namespace
@@ -136,7 +162,7 @@ void ProgramLibrary::add_folder(const std::string& folder) {
   folders_.push_back(std::move(added));
 }
 
-const CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
+CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
   auto& slot = file.compiled[which];
   if (slot == nullptr) {
     slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which, *profile_));
@@ -147,7 +173,7 @@ const CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
 const CompiledProgram* ProgramLibrary::main_program() {
   if (windows_ != nullptr) {
     if (const CompiledProgram* const first = windows_->next(*profile_)) {
-      main_number_ = first->number;
+      main_key_ = first->key;
       main_name_ = location_in(*first, first->tree->programs.front().name);
       return first;
     }
@@ -176,10 +202,11 @@ std::vector<const CompiledProgram*> ProgramLibrary::programs_of(const std::strin
 
 const CompiledProgram* ProgramLibrary::whole_main() {
   File* const loaded = main_path_.empty() ? nullptr : load(main_path_);
-  if (loaded == nullptr) {
-    return nullptr;
-  }
-  File& file = *loaded;
+  return loaded != nullptr ? first_of(*loaded) : nullptr;
+}
+
+/// The first program of a file; nullptr: there is none.
+CompiledProgram* ProgramLibrary::first_of(File& file) {
   const auto& programs = file.tree.programs;
   // An O number without blocks before the real program is what some editors leave behind.
   const auto real = std::ranges::find_if(programs, [](const auto& p) { return p.block_count > 1; });
@@ -216,43 +243,52 @@ std::optional<ProgramPlace> ProgramLibrary::in_whole(const ProgramPlace& place) 
 void ProgramLibrary::look_behind_main() {
   const bool may_be_there =
       windows_ != nullptr && (windows_->has_more() || windows_->must_be_whole());
-  if (!may_be_there || main_number_ == 0 || known_.contains(main_number_)) {
+  if (!may_be_there || main_key_.is_empty() || known_.contains(main_key_)) {
     return;
   }
   const auto& all = main_beginnings();
   const auto second = all.empty() ? all.end()
-                                  : std::ranges::find(std::next(all.begin()), all.end(),
-                                                      main_number_, &ProgramBeginning::number);
+                                  : std::ranges::find(std::next(all.begin()), all.end(), main_key_,
+                                                      &ProgramBeginning::key);
   if (second != all.end()) {
     reports_.push_back(
         make_diagnostic(source::DiagnosticId::ProgramTwice, main_name_,
-                        fmt::format("O{:04} appears twice: this one is used, not that of line {}",
-                                    main_number_, second->line)));
+                        fmt::format("{} appears twice: this one is used, not that of line {}",
+                                    to_text(main_key_), second->line)));
   }
 }
 
-/// Says which of two programs of one number is taken.
-/// @param name  where that one says its number
+/// Says which of two programs of one number or name is taken.
+/// @param name  where that one says it
 void ProgramLibrary::report_twice(const CompiledProgram& taken, syntax::ShortSpan name,
                                   const std::string& other) {
   reports_.push_back(make_diagnostic(
       source::DiagnosticId::ProgramTwice, location_in(taken, name),
-      fmt::format("O{:04} appears twice: this one is used, not {}", taken.number, other)));
+      fmt::format("{} appears twice: this one is used, not {}", to_text(taken.key), other)));
 }
 
-const CompiledProgram* ProgramLibrary::find_in(File& file, int number) {
+const CompiledProgram* ProgramLibrary::find_in(File& file, const ProgramKey& key) {
   const auto& programs = file.tree.programs;
-  const auto has_number = [number](const syntax::Program& p) { return p.number == number; };
-  const auto first = std::ranges::find_if(programs, has_number);
-  if (first == programs.end()) {
+  const std::string_view text = file.source->text();
+  const auto first = place_in(file.tree, text, key);
+  if (!first) {
     return nullptr;
   }
-  const CompiledProgram* const found =
-      compiled(file, static_cast<std::size_t>(first - programs.begin()));
-  const auto second = std::find_if(first + 1, programs.end(), has_number);
-  if (number != 0 && second != programs.end()) {
-    const auto other = sources_.show(file.source->at(second->name.widened()));
-    report_twice(*found, first->name, fmt::format("that of line {}", other.line));
+  const CompiledProgram* const found = compiled(file, *first);
+  if (const auto second = place_in(file.tree, text, key, *first + 1)) {
+    const auto other = sources_.show(file.source->at(programs[*second].name.widened()));
+    report_twice(*found, programs[*first].name, fmt::format("that of line {}", other.line));
+  }
+  return found;
+}
+
+/// The first program of a file that has this name.
+const CompiledProgram* ProgramLibrary::find_by_file(const std::string& path,
+                                                    const std::string& name) {
+  File* const file = is_file_of(path, name) ? load(path) : nullptr;
+  CompiledProgram* const found = file != nullptr ? first_of(*file) : nullptr;
+  if (found != nullptr && found->key.is_empty()) {
+    found->key.name = name;
   }
   return found;
 }
@@ -264,28 +300,33 @@ const CompiledProgram* ProgramLibrary::load_from(Folder& folder, const std::stri
   if (file == nullptr) {
     return nullptr;
   }
-  const CompiledProgram* const found = find_in(*file, number);
+  const CompiledProgram* const found = find_in(*file, {number, {}});
   const bool is_unnumbered =
       found == nullptr && file->tree.programs.size() == 1 && file->tree.programs[0].number == 0;
   return is_unnumbered ? compiled(*file, 0) : found;
 }
 
-const CompiledProgram* ProgramLibrary::find_in(Folder& folder, int number) {
-  const auto named = folder.by_name.equal_range(number);
+const CompiledProgram* ProgramLibrary::find_in(Folder& folder, const ProgramKey& key) {
+  const auto named = folder.by_name.equal_range(key.number);
   const CompiledProgram* found = nullptr;
   for (auto it = named.first; it != named.second; ++it) {
-    const CompiledProgram* const here = load_from(folder, it->second, number);
+    const CompiledProgram* const here = load_from(folder, it->second, key.number);
     if (here != nullptr && found != nullptr) {
       report_twice(*found, {0, 1}, it->second);
     }
     found = found == nullptr ? here : found;
   }
-  return found != nullptr ? found : find_in_unnamed(folder, number);
+  found = found != nullptr ? found : find_in_unnamed(folder, key);
+  for (std::size_t i = 0; i < folder.unnamed.size() && found == nullptr; ++i) {
+    found = find_by_file(joined(folder.path, folder.unnamed[i]), key.name);
+  }
+  return found;
 }
 
-/// The program of this number in files whose names say none.  A second one is told, where its file
-/// is no longer than subprograms are.
-const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int number) {
+/// The program of this number or name in files whose names say none.  A second one is told, where
+/// its file is no longer than subprograms are.
+const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder,
+                                                       const ProgramKey& key) {
   const CompiledProgram* found = nullptr;
   for (const std::string& name : folder.unnamed) {
     const std::string path = joined(folder.path, name);
@@ -295,23 +336,21 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int
     // Looked into first: a file that does not have it is not read as a program.
     const auto bytes = files_.size(path);
     auto look = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
-    if (look && !has_program(*std::move(look), number)) {
+    if (look && !has_program(*std::move(look), key)) {
       continue;
     }
     File* const file = load(path);
     if (file == nullptr) {
       continue;
     }
-    const auto& programs = file->tree.programs;
-    const auto here = std::ranges::find(programs, number, &syntax::Program::number);
-    if (here == programs.end()) {
+    if (!place_in(file->tree, file->source->text(), key)) {
       continue;
     }
     if (found != nullptr) {
       report_twice(*found, {0, 1}, name);
       break;
     }
-    found = find_in(*file, number);
+    found = find_in(*file, key);
   }
   return found;
 }
@@ -325,10 +364,10 @@ const std::vector<ProgramBeginning>& ProgramLibrary::main_beginnings() {
 
 /// A further program of a long main file, by itself, so that the file need not be in memory for it.
 /// @returns nullptr: only the whole file tells
-const CompiledProgram* ProgramLibrary::find_alone(int number) {
+const CompiledProgram* ProgramLibrary::find_alone(const ProgramKey& key) {
   const auto& all = main_beginnings();
-  const auto here = std::ranges::find(all, number, &ProgramBeginning::number);
-  const bool is_there_once = std::ranges::count(all, number, &ProgramBeginning::number) == 1;
+  const auto here = std::ranges::find(all, key, &ProgramBeginning::key);
+  const bool is_there_once = std::ranges::count(all, key, &ProgramBeginning::key) == 1;
   if (!is_there_once || here == all.begin() || here->is_behind_percent_sign) {
     return nullptr;
   }
@@ -345,38 +384,44 @@ const CompiledProgram* ProgramLibrary::find_alone(int number) {
   alone->file.source = &alone->text;
   alone->file.tree = parse(alone->text.text());
   const auto& programs = alone->file.tree.programs;
-  if (programs.size() != 1 || programs.front().number != number) {
+  if (programs.size() != 1 || key_in(alone->text.text(), programs.front()) != key) {
     return nullptr;
   }
   alone_.push_back(std::move(alone));
   return compiled(alone_.back()->file, 0);
 }
 
-const CompiledProgram* ProgramLibrary::find_in_main(int number) {
+const CompiledProgram* ProgramLibrary::find_in_main(const ProgramKey& key) {
   const bool is_long = windows_ != nullptr;
-  if (is_long && main_beginnings().size() < 2 && main_number_ != number) {
-    return nullptr;
+  if (is_long && main_beginnings().size() < 2 && main_key_ != key) {
+    return find_by_file(main_path_, key.name);
   }
-  if (const CompiledProgram* const alone = is_long ? find_alone(number) : nullptr) {
+  if (const CompiledProgram* const alone = is_long ? find_alone(key) : nullptr) {
     return alone;
   }
-  File* const file = main_path_.empty() ? nullptr : load(main_path_);
-  return file != nullptr ? find_in(*file, number) : nullptr;
+  return main_path_.empty() ? nullptr : find_in(main_path_, key);
 }
 
-const CompiledProgram* ProgramLibrary::find(int number) {
-  const auto known = known_.find(number);
+/// By what a program of a file says, or by the name of the file.
+const CompiledProgram* ProgramLibrary::find_in(const std::string& path, const ProgramKey& key) {
+  File* const file = load(path);
+  const CompiledProgram* const found = file != nullptr ? find_in(*file, key) : nullptr;
+  return found != nullptr ? found : find_by_file(path, key.name);
+}
+
+const CompiledProgram* ProgramLibrary::find(const ProgramKey& key) {
+  const auto known = known_.find(key);
   if (known != known_.end()) {
     return known->second;
   }
-  const CompiledProgram* found = find_in_main(number);
+  const CompiledProgram* found = find_in_main(key);
   for (std::size_t i = 0; i < further_files_.size() && found == nullptr; ++i) {
-    found = find_in(*load(further_files_[i]), number);
+    found = find_in(further_files_[i], key);
   }
   for (std::size_t i = 0; i < folders_.size() && found == nullptr; ++i) {
-    found = find_in(folders_[i], number);
+    found = find_in(folders_[i], key);
   }
-  known_[number] = found;
+  known_[key] = found;
   return found;
 }
 

@@ -38,7 +38,8 @@ class ProgramLibrary {
   Added add_file(const std::string& path);
 
   /// Programs of this folder become callable.  A file is taken for O1234 when the digits of its
-  /// name say so (O1234.nc, 1234, o01234.txt); failing that, when its text begins with O1234.
+  /// name say so (O1234.nc, 1234, o01234.txt); failing that, when its text begins with O1234.  One
+  /// is taken for <BORE> when its text begins so; failing that, when it is called BORE or BORE.NC.
   void add_folder(const std::string& folder);
   /// The same of what comes with g31.
   void add_shipped_folder(const std::string& folder) { add_folder(folder); }
@@ -63,10 +64,11 @@ class ProgramLibrary {
   /// nullopt: the file is too long to be kept whole, or can no longer be read.
   std::optional<ProgramPlace> in_whole(const ProgramPlace& place);
 
-  /// The program O`number`, or nullptr.
-  const CompiledProgram* find(int number);
+  /// The program O`number` or <`name`>, or nullptr.  @pre !key.is_empty()
+  const CompiledProgram* find(const ProgramKey& key);
 
-  /// Looks for a second program of the number of a long main program, behind a run that has ended.
+  /// Looks for a second program of the number or name of a long main program, behind a run that has
+  /// ended.
   void look_behind_main();
 
   /// What has been found twice since the last call: in one file, or in one folder.
@@ -91,14 +93,17 @@ class ProgramLibrary {
     std::vector<std::string> unnamed;  ///< files whose name says no number, not yet read
   };
 
-  const CompiledProgram* compiled(File& file, std::size_t which);
-  const CompiledProgram* find_in(File& file, int number);
-  const CompiledProgram* find_in(Folder& folder, int number);
-  const CompiledProgram* find_in_unnamed(const Folder& folder, int number);
+  CompiledProgram* compiled(File& file, std::size_t which);
+  CompiledProgram* first_of(File& file);
+  const CompiledProgram* find_in(File& file, const ProgramKey& key);
+  const CompiledProgram* find_in(const std::string& path, const ProgramKey& key);
+  const CompiledProgram* find_in(Folder& folder, const ProgramKey& key);
+  const CompiledProgram* find_in_unnamed(const Folder& folder, const ProgramKey& key);
+  const CompiledProgram* find_by_file(const std::string& path, const std::string& name);
   File* load(const std::string& path);
   const CompiledProgram* whole_main();
-  const CompiledProgram* find_in_main(int number);
-  const CompiledProgram* find_alone(int number);
+  const CompiledProgram* find_in_main(const ProgramKey& key);
+  const CompiledProgram* find_alone(const ProgramKey& key);
   const std::vector<ProgramBeginning>& main_beginnings();
   const CompiledProgram* load_from(Folder& folder, const std::string& name, int number);
   void report_twice(const CompiledProgram& taken, syntax::ShortSpan name, const std::string& other);
@@ -111,13 +116,13 @@ class ProgramLibrary {
   std::vector<std::string> further_files_;
   std::string main_path_;
   std::uint64_t main_bytes_ = 0;
-  std::int32_t main_number_ = 0;             ///< of a long main program
-  source::Location main_name_;               ///< where it says its number
+  ProgramKey main_key_;                      ///< of a long main program
+  source::Location main_name_;               ///< where it says that
   std::unique_ptr<ProgramWindows> windows_;  ///< of the main file, if it is a long one
   /// Of a long main file, once they are asked for.
   std::optional<std::vector<ProgramBeginning>> main_beginnings_;
   std::vector<std::unique_ptr<Alone>> alone_;
-  std::map<int, const CompiledProgram*> known_;
+  std::map<ProgramKey, const CompiledProgram*> known_;
   std::vector<source::Diagnostic> reports_;
 };
 

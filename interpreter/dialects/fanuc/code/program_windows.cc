@@ -90,7 +90,7 @@ const CompiledProgram* ProgramWindows::next(const Profile& profile) {
     return nullptr;
   }
   if (!is_first) {
-    window->program.number = window_->program.number;
+    window->program.key = window_->program.key;
     steps_before_ += static_cast<syntax::Index>(window_->program.steps.size());
   }
   window_ = std::move(window);
@@ -110,6 +110,10 @@ class BeginningsReader {
         line_begin_ = offset_ + at;
         is_at_begin_ = true;
         in_number_ = false;
+        in_name_ = false;
+      } else if (in_name_) {
+        take_name(text[at]);
+        ++at;
       } else if (is_at_begin_ || in_number_) {
         look_at(text[at]);
         ++at;
@@ -125,17 +129,30 @@ class BeginningsReader {
  private:
   void look_at(char c) {
     constexpr std::int32_t kLargestBeforeDigit = 99'999'999;
-    const bool begins_program = is_at_begin_ && (c == 'O' || c == 'o' || c == ':');
-    if (begins_program) {
-      programs_.push_back({0, line_, line_begin_, has_percent_sign_});
+    const bool begins_name = is_at_begin_ && c == '<';
+    const bool begins_number = is_at_begin_ && (c == 'O' || c == 'o' || c == ':');
+    if (begins_name || begins_number) {
+      programs_.push_back({{}, line_, line_begin_, has_percent_sign_});
     }
+    in_name_ = begins_name;
     has_percent_sign_ = has_percent_sign_ || (c == '%' && !programs_.empty());
     const bool is_nothing = counts_for_nothing(c);
-    if (in_number_ && is_digit(c) && programs_.back().number <= kLargestBeforeDigit) {
-      programs_.back().number = 10 * programs_.back().number + (c - '0');
+    if (in_number_ && is_digit(c) && programs_.back().key.number <= kLargestBeforeDigit) {
+      programs_.back().key.number = 10 * programs_.back().key.number + (c - '0');
     }
-    in_number_ = begins_program || (in_number_ && (is_digit(c) || is_nothing));
+    in_number_ = begins_number || (in_number_ && (is_digit(c) || is_nothing));
     is_at_begin_ = is_at_begin_ && is_nothing;
+  }
+
+  void take_name(char c) {
+    constexpr std::size_t kMostKept = 64;
+    ProgramKey& key = programs_.back().key;
+    if (c == '>') {
+      key = key_of_name(key.name);
+      in_name_ = false;
+    } else if (key.name.size() < kMostKept) {
+      key.name.push_back(c);
+    }
   }
 
   /// Nothing but % counts there.
@@ -151,6 +168,7 @@ class BeginningsReader {
   std::vector<ProgramBeginning> programs_;
   bool is_at_begin_ = true;  ///< of a line, but for blanks
   bool in_number_ = false;
+  bool in_name_ = false;
   bool has_percent_sign_ = false;
   int line_ = 1;
   std::uint64_t line_begin_ = 0;

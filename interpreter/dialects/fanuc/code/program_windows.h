@@ -67,7 +67,7 @@ class ProgramWindows {
 
 /// Where a program begins.
 struct ProgramBeginning {
-  std::int32_t number = 0;
+  ProgramKey key;
   int line = 0;              ///< from 1
   std::uint64_t offset = 0;  ///< of that line, bytes
   /// Behind one that stands in a program: there the tape ends, unless it is in a comment.

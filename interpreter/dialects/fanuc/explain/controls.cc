@@ -57,6 +57,8 @@ Entry entry_of(const Profile& profile) {
                         : "1 to 4, the signals of parameters 6202 to 6205"},
        {"AND, OR between comparisons", profile.joins_conditions ? "yes" : "with parameter 6006.0"},
        {"IF [#1], IF [...] M98 P1", profile.conditions_rule_blocks ? "yes" : "no"},
+       {"M98 <NAME>, G65 <NAME>",
+        profile.has_program_names ? "yes, 0i-F too; not 0i-D" : "no, by number only"},
        {"M97 P, M96 P Q", profile.has_local_calls ? "yes" : "no"},
        {"F without a point",
         fmt::format("counts {} mm/min, or {} inch/min", 1.0 / feeds.per_mm, 1.0 / feeds.per_inch)},

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <span>
 
-#include <fmt/format.h>
-
 namespace g31::fanuc {
 
 std::string name_of(const CompiledProgram& program) {
-  return program.number == 0 ? std::string("the main program")
-                             : fmt::format("O{:04}", program.number);
+  return program.key.is_empty() ? std::string("the main program") : to_text(program.key);
 }
 
 void CallStack::start(const CompiledProgram& main) {

@@ -1,5 +1,6 @@
 #include "interpreter/dialects/fanuc/run/called_programs.h"
 
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,14 +8,28 @@
 #include "interpreter/dialects/fanuc/execute/codes.h"
 
 namespace g31::fanuc {
+namespace {
 
-const CompiledProgram* CalledPrograms::find(int number) {
-  const CompiledProgram* const found = library_.find(number);
+std::string is_in_none(const ProgramKey& key) {
+  return fmt::format("{} is in none of the files and folders", to_text(key));
+}
+
+}  // namespace
+
+const CompiledProgram* CalledPrograms::find(const ProgramKey& key) {
+  const CompiledProgram* const found = library_.find(key);
   take_reports();
   return found;
 }
 
-Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWord& p) {
+Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWord& p,
+                                                               const CompiledProgram& caller) {
+  if (p.form == syntax::ValueForm::Name) {
+    const ProgramKey key = key_of_name(between_angles(caller.file->text(), p.span));
+    const CompiledProgram* const named = find(key);
+    return named != nullptr ? Result<const CompiledProgram*, Failure>(named)
+                            : at_word(AlarmId::CalledNameNotFound, p, is_in_none(key));
+  }
   const auto number = integer_of(p);
   if (!number) {
     return number.error();
@@ -22,10 +37,10 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWo
   if (number.value() == 0) {
     return at_word(AlarmId::CalledNotFound, p, "0 is no number of a program");
   }
-  const CompiledProgram* const program = find(number.value());
+  const ProgramKey key{number.value(), {}};
+  const CompiledProgram* const program = find(key);
   if (program == nullptr) {
-    return at_word(AlarmId::CalledNotFound, p,
-                   fmt::format("O{:04} is in none of the files and folders", number.value()));
+    return at_word(AlarmId::CalledNotFound, p, is_in_none(key));
   }
   return program;
 }
@@ -41,7 +56,7 @@ void CalledPrograms::take_reports() {
 
 Result<const CompiledProgram*, Failure> CalledPrograms::called_by(const EvaluatedWord& code,
                                                                   int number) {
-  if (const CompiledProgram* const program = find(number)) {
+  if (const CompiledProgram* const program = find({number, {}})) {
     return program;
   }
   return at_word(AlarmId::CalledNotFound, code,

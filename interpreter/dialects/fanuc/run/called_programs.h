@@ -14,11 +14,12 @@ class CalledPrograms {
   CalledPrograms(ProgramLibrary& library, Control& control)
       : library_(library), control_(control) {}
 
-  /// The program of a number, and a word about a second one; nullptr: there is none.
-  const CompiledProgram* find(int number);
-  [[nodiscard]] bool has(int number) { return library_.find(number) != nullptr; }
-  /// That of P.
-  Result<const CompiledProgram*, Failure> called(const EvaluatedWord& p);
+  /// The program of a number or name, and a word about a second one; nullptr: there is none.
+  const CompiledProgram* find(const ProgramKey& key);
+  [[nodiscard]] bool has(int number) { return library_.find({number, {}}) != nullptr; }
+  /// That of P, or of the name in its place.  @param caller  in whose text it stands
+  Result<const CompiledProgram*, Failure> called(const EvaluatedWord& p,
+                                                 const CompiledProgram& caller);
   /// That of a code by which it is called.
   Result<const CompiledProgram*, Failure> called_by(const EvaluatedWord& code, int number);
   /// What the library has to say goes where the run's reports are.

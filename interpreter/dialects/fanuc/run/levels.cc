@@ -21,7 +21,7 @@ MaybeFailure Levels::enter(const Entry& entry) {
                               : fmt::format("{} nest at most {} deep",
                                             is_macro ? "macros" : "subprograms", limit);
     if (entry.program == frame().program) {
-      failure.detail += fmt::format(", and O{:04} calls itself", entry.program->number);
+      failure.detail += fmt::format(", and {} calls itself", name_of(*entry.program));
     }
     return failure;
   }
@@ -68,7 +68,7 @@ void Levels::repeat() {
 
 /// Another program runs from now on.
 void Levels::arrive() {
-  control_.modal.word('O') = frame().program->number;
+  control_.modal.word('O') = frame().program->key.number;
   control_.outlet.calls_changed();
   control_.watch.level_changed(stack_.depth(), [&] { return name_of(*frame().program); });
 }

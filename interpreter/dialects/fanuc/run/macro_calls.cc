@@ -39,7 +39,7 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
   if (p == nullptr) {
     return at_word(AlarmId::CallWithoutProgram, code, "G65 without P");
   }
-  const auto program = programs_.called(*p);
+  const auto program = programs_.called(*p, *frame().program);
   if (!program) {
     return program.error();
   }
@@ -100,7 +100,7 @@ MaybeFailure MacroCalls::set_modal(const EvaluatedWord& code) {
   if (p == nullptr) {
     return at_word(AlarmId::CallWithoutProgram, code, "G66 without P");
   }
-  const auto program = programs_.called(*p);
+  const auto program = programs_.called(*p, *frame().program);
   const auto times = repeats_of(words_);
   if (!program || !times) {
     return program ? times.error() : program.error();
@@ -167,6 +167,9 @@ MaybeFailure MacroCalls::every_block_call() {
     locals[kEveryBlockN] = Cell(words_.sequence());
   }
   for (const EvaluatedWord& word : words_.all()) {
+    if (word.form == syntax::ValueForm::Name) {
+      return at_word(AlarmId::IllegalArgumentLetter, word, "under G66.1 a name is no argument");
+    }
     const std::size_t variable = word.letter == 'G'   ? kEveryBlockG
                                  : word.letter == 'L' ? kEveryBlockL
                                  : word.letter == 'P' ? kVariableOfP

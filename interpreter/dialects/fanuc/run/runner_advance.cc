@@ -63,10 +63,10 @@ bool Runner::refuse_broken(const CompiledProgram& main) {
 
 void Runner::start(const CompiledProgram& main) {
   stack_.start(main);
-  control_.main_program = main.number;
-  control_.modal.word('O') = main.number;
-  if (main.number != 0 && main.extent == Extent::Whole) {
-    programs_.find(main.number);  // a second one of its number is told
+  control_.main_program = main.key.number;
+  control_.modal.word('O') = main.key.number;
+  if (!main.key.is_empty() && main.extent == Extent::Whole) {
+    programs_.find(main.key);  // a second one of its number or name is told
   }
   control_.coordinates.arrived_at_machine(control_.port.position());
 }

@@ -43,22 +43,9 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
   }
   Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
   if (p != nullptr) {
-    const auto number = integer_of(*p);
-    if (!number) {
-      return number.error();
+    if (auto failure = p->form == ValueForm::Name ? find_called(*p, entry) : count_in(*p, entry)) {
+      return *std::move(failure);
     }
-    EvaluatedWord program_word = *p;
-    program_word.form = ValueForm::Integer;
-    program_word.number = number.value();
-    if (number.value() >= kCountFactor && !programs_.has(number.value())) {
-      program_word.number = number.value() % kCountFactor;
-      entry.repeats = number.value() / kCountFactor;
-    }
-    const auto program = programs_.called(program_word);
-    if (!program) {
-      return program.error();
-    }
-    entry.program = program.value();
   }
   if (q != nullptr) {
     const auto found = entry.program->find_label(nearest_integer(q->number), 0);
@@ -68,6 +55,31 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
     entry.first_step = *found;
   }
   return entry;
+}
+
+/// P: a number, which the count may stand before.
+MaybeFailure Subprograms::count_in(const EvaluatedWord& p, Entry& entry) {
+  const auto number = integer_of(p);
+  if (!number) {
+    return number.error();
+  }
+  EvaluatedWord program_word = p;
+  program_word.form = ValueForm::Integer;
+  program_word.number = number.value();
+  if (number.value() >= kCountFactor && !programs_.has(number.value())) {
+    program_word.number = number.value() % kCountFactor;
+    entry.repeats = number.value() / kCountFactor;
+  }
+  return find_called(program_word, entry);
+}
+
+MaybeFailure Subprograms::find_called(const EvaluatedWord& p, Entry& entry) {
+  const auto program = programs_.called(p, *frame().program);
+  if (!program) {
+    return program.error();
+  }
+  entry.program = program.value();
+  return std::nullopt;
 }
 
 /// What a block does beside its call.

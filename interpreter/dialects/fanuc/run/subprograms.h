@@ -38,6 +38,8 @@ class Subprograms {
 
  private:
   Result<Entry, Failure> entry_of(const EvaluatedWord& m);
+  MaybeFailure count_in(const EvaluatedWord& p, Entry& entry);
+  MaybeFailure find_called(const EvaluatedWord& p, Entry& entry);
   MaybeFailure execute_beside(const EvaluatedWord& call, std::initializer_list<char> arguments);
   MaybeFailure go_to(Frame& level, const EvaluatedWord& p);
   Frame& frame() { return levels_.stack().frame(); }

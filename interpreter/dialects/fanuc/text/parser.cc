@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/text/word_values.h"
+#include "interpreter/dialects/fanuc/vocabulary/program_key.h"
 #include "interpreter/source/printable.h"
 #include "machine/base/contract.h"
 
@@ -98,16 +100,40 @@ bool Parser::program_number(Block& block) {
 
 /// `<PROBE-BORE>` in place of O and a number (MB-002).
 bool Parser::program_name(Block& block) {
+  const ShortSpan name = name_in_angles();
+  open_program(key_of_name(between_angles(scanner_.text(), name)).number, name);
+  block.kind = failed() ? BlockKind::Bad : block.kind;
+  return true;
+}
+
+/// `<NAME>`, which begins here; empty where it has no end, which is an error.
+ShortSpan Parser::name_in_angles() {
   const std::uint32_t begin = scanner_.position();
   const std::size_t end = scanner_.text().find_first_of(">\n", begin);
-  open_program(0, {begin, begin});
   if (end == std::string_view::npos || scanner_.text()[end] == '\n') {
     fail(AlarmId::IllegalAddress, "the name of a program stands between < and >");
-    block.kind = BlockKind::Bad;
-    return true;
+    return {begin, begin};
   }
   scanner_.rewind(static_cast<std::uint32_t>(end + 1));
-  tree_.programs.back().name = {begin, scanner_.position()};
+  return {begin, scanner_.position()};
+}
+
+/// `<NAME>` behind the code of a call, in the place of P.
+bool Parser::called_name() {
+  // A block begins with a letter, so the last word is one of this block.
+  if (!calls_program(tree_.words.back())) {
+    fail(AlarmId::CalledByNameFormat,
+         "the name of a program stands right behind M98, M198, G65, G66 or G66.1");
+    return false;
+  }
+  const ShortSpan name = name_in_angles();
+  if (failed()) {
+    return false;
+  }
+  Word& word = tree_.words.emplace_back();
+  word.letter = 'P';
+  word.form = ValueForm::Name;
+  word.span = name;
   return true;
 }
 
@@ -246,6 +272,9 @@ bool Parser::word() {
     return false;
   }
   const char letter = scanner_.address(next);
+  if (letter == 0 && next == '<') {
+    return called_name();
+  }
   if (letter == 0) {
     fail(AlarmId::IllegalAddress, fmt::format("{} is not an address letter", source::quoted(next)));
     return false;

@@ -41,6 +41,8 @@ class Parser {
   void block();
   bool program_number(syntax::Block& block);
   bool program_name(syntax::Block& block);
+  syntax::ShortSpan name_in_angles();
+  bool called_name();
   void head(syntax::Block& block);
   std::uint8_t switch_number();
   void body(syntax::Block& block);

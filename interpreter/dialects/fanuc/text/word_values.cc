@@ -57,6 +57,7 @@ double WordScale::scaled(const EvaluatedWord& word, double counts) const {
     }
     case syntax::ValueForm::Computed:
     case syntax::ValueForm::None:
+    case syntax::ValueForm::Name:
       break;
   }
   return round_to_counts(word.number, counts);

@@ -20,6 +20,15 @@ struct EvaluatedWord {
   syntax::ShortSpan span;
 };
 
+/// Whether the code of a word calls a program, which a name behind it may say.
+constexpr bool calls_program(const syntax::Word& word) {
+  const bool is_written =
+      word.form == syntax::ValueForm::Integer || word.form == syntax::ValueForm::Decimal;
+  return is_written && ((word.letter == 'G' &&
+                         (word.number == 65.0 || word.number == 66.0 || word.number == 66.1)) ||
+                        (word.letter == 'M' && (word.number == 98.0 || word.number == 198.0)));
+}
+
 /// A bit for each of some addresses.
 constexpr std::uint32_t letters_of(std::string_view letters) {
   std::uint32_t bits = 0;

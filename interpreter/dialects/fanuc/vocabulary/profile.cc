@@ -60,6 +60,7 @@ constexpr Profile fanuc_30i() {
   profile.largest_sequence = 99999999;
   profile.offset_limit_mm = 10000.0;
   profile.calls = {5, 10, 15};
+  profile.has_program_names = true;
   profile.lone_cancel_is_alarm = true;
   profile.dwell_is_fence = false;
   profile.macro_alarm.largest = 4095;
@@ -73,6 +74,13 @@ constexpr Profile fanuc_30i() {
 constexpr Profile fanuc_0i_f() {
   Profile profile = fanuc_30i();
   profile.missing_g_codes = kMissingOf0iF;
+  return profile;
+}
+
+/// Its programs have numbers only.
+constexpr Profile fanuc_0i_d() {
+  Profile profile = fanuc_0i_f();
+  profile.has_program_names = false;
   return profile;
 }
 
@@ -199,9 +207,9 @@ struct ModelProfile {
   std::string_view model;
   Profile profile;
 };
-constexpr ModelProfile kModelProfiles[] = {{"0i-MD", fanuc_0i_f()},
+constexpr ModelProfile kModelProfiles[] = {{"0i-MD", fanuc_0i_d()},
                                            {"0i-MF", fanuc_0i_f()},
-                                           {"0i-D", fanuc_0i_f()},
+                                           {"0i-D", fanuc_0i_d()},
                                            {"0i-F", fanuc_0i_f()}};
 
 }  // namespace

@@ -158,7 +158,8 @@ struct Profile {
   bool has_local_calls = false;  ///< M97 P: a subprogram in the same text; M96 P Q: a jump by input
   /// E and F of a call without a point are counted as F is; else they are as written (MB-196).
   bool counts_feed_arguments = true;
-  char start_letter = 'Q';  ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+  bool has_program_names = false;  ///< M98 <NAME>, G65 <NAME> beside P and a number (MB-002)
+  char start_letter = 'Q';         ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
 
   bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
