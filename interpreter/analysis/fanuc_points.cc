@@ -93,7 +93,7 @@ class Reader {
 };
 
 bool has_inches(const fanuc::Profile& profile) {
-  const fanuc::GCode* const inches = fanuc::find_g_code(20.0);
+  const fanuc::GCode* const inches = fanuc::find_g_code(20.0, profile.own_g_codes);
   return inches != nullptr && fanuc::has_g_code(profile, *inches);
 }
 

@@ -46,7 +46,7 @@ bool is_macro_call(const EvaluatedWord& word) {
 }
 
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
-  const GCode* const code = fanuc::find_g_code(word.number);
+  const GCode* const code = fanuc::find_g_code(word.number, profile.own_g_codes);
   const bool is_known = has_code(profile, code);
   const bool is_common = is_known && code->set == fanuc::CodeSet::Family;
   // The sheet makes whole numbers call macros, also in the place of a maker's own code.

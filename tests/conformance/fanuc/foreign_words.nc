@@ -95,3 +95,21 @@ G43.4 H1
 M30
 %
 (EXPECT ALARM 10 AT 6)
+
+(CASE tool offsets along the path are not simulated: G45 to G48)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i)
+%
+O1
+G91 G47 G0 X10. D1
+M30
+%
+(EXPECT ALARM 10 AT 4)
+
+(CASE G39 of cutter compensation is not simulated)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i)
+%
+O1
+G39 X1. Y2.
+M30
+%
+(EXPECT ALARM 10 AT 4)

@@ -113,7 +113,7 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
     return at_word(AlarmId::MixedStatement, word,
                    fmt::format("G{} together with another call", word.number));
   }
-  const GCode* const code = find_g_code(word.number);
+  const GCode* const code = find_g_code(word.number, control.profile.own_g_codes);
   if (code == nullptr || !has_g_code(control.profile, *code)) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
@@ -191,16 +191,16 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, const 
 }
 
 /// The group of a G word; 0: none, or one that has effect in its block only.
-int group_of(const EvaluatedWord& word) {
-  const GCode* const code = find_g_code(word.number);
+int group_of(const EvaluatedWord& word, CodeSet own) {
+  const GCode* const code = find_g_code(word.number, own);
   return code != nullptr ? static_cast<int>(code->group) : 0;
 }
 
 /// An address twice, or two G codes of one group (MB-014); several M are no repeat.
-MaybeFailure refuse_repeats(const BlockWords& words) {
+MaybeFailure refuse_repeats(const BlockWords& words, CodeSet own) {
   std::set<int> seen;
   for (const EvaluatedWord& word : words.all()) {
-    const int group = word.letter == 'G' ? group_of(word) : -word.letter;
+    const int group = word.letter == 'G' ? group_of(word, own) : -word.letter;
     if (word.letter != 'M' && group != 0 && !seen.insert(group).second) {
       return at_word(AlarmId::AddressTwice, word, fmt::format("{} appears twice", word.letter));
     }
@@ -251,10 +251,10 @@ double counted_feed(const Control& control, const EvaluatedWord& word) {
   return word.number / (inch ? per_mm * 100.0 : per_mm);
 }
 
-bool commands_motion(const BlockWords& words) {
+bool commands_motion(const BlockWords& words, CodeSet own) {
   bool has_axis = false;
   for (const EvaluatedWord& word : words.all()) {
-    const GCode* const code = word.letter == 'G' ? find_g_code(word.number) : nullptr;
+    const GCode* const code = word.letter == 'G' ? find_g_code(word.number, own) : nullptr;
     if (code != nullptr && takes_axis_words(code->action)) {
       return false;
     }
@@ -277,7 +277,7 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
 
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
-    if (auto failure = refuse_repeats(words)) {
+    if (auto failure = refuse_repeats(words, control.profile.own_g_codes)) {
       return *std::move(failure);
     }
   }

@@ -133,7 +133,7 @@ Entries codes(std::string_view topic, const Profile& profile) {
     return {};
   }
   if (topic.front() == 'G') {
-    const GCode* const code = find_g_code(*number);
+    const GCode* const code = find_g_code(*number, profile.own_g_codes);
     const bool has = code != nullptr && has_g_code(profile, *code);
     return has ? Entries{entry_of(*code, profile)} : Entries{};
   }
@@ -207,7 +207,9 @@ std::vector<std::string> topic_names() {
     names.emplace_back(row.name);
   }
   for (const GCode& code : g_codes()) {
-    names.push_back(to_text(code.number));
+    if (std::ranges::find(names, to_text(code.number)) == names.end()) {
+      names.push_back(to_text(code.number));
+    }
   }
   for (const ProgramMCode& code : kMCodes) {
     names.push_back(fmt::format("M{:02}", code.number));

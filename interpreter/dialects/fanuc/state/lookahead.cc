@@ -95,7 +95,7 @@ BlockEffect effect_of(const BlockWords& words, const Profile& profile,
   for (const EvaluatedWord& word : words.all()) {
     bool fence = false;
     if (word.letter == 'G') {
-      const GCode* const code = find_g_code(word.number);
+      const GCode* const code = find_g_code(word.number, profile.own_g_codes);
       fence = code != nullptr && is_fence(*code, profile);
     } else if (word.letter == 'M') {
       fence = is_fence(nearest_integer(word.number), parameters);

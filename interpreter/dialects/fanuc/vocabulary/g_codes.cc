@@ -24,7 +24,10 @@ constexpr std::size_t key(GNumber number) {
 
 consteval bool g_codes_rise() {
   for (std::size_t i = 1; i < kGCodeRows.size(); ++i) {
-    if (key(kGCodeRows[i - 1].number) >= key(kGCodeRows[i].number)) {
+    const GCode& before = kGCodeRows[i - 1];
+    const GCode& row = kGCodeRows[i];
+    const bool is_other = before.number == row.number && before.set < row.set;
+    if (key(before.number) >= key(row.number) && !is_other) {
       return false;
     }
   }
@@ -33,12 +36,19 @@ consteval bool g_codes_rise() {
 static_assert(g_codes_rise(), "g_codes.def: rows must rise");
 
 constexpr std::size_t kKeys = 1000 * 10;
+using RowsByKey = std::array<std::uint8_t, kKeys>;
 
-/// Row index + 1 by key: a million blocks look their codes up here.
+/// Row index + 1 by set and key: a million blocks look their codes up here.
 constexpr auto kIndex = [] {
-  std::array<std::uint8_t, kKeys> index{};
+  std::array<RowsByKey, kCodeSets> index{};
   for (std::size_t i = 0; i < kGCodeRows.size(); ++i) {
-    index[key(kGCodeRows[i].number)] = static_cast<std::uint8_t>(i + 1);
+    const CodeSet set = kGCodeRows[i].set;
+    for (std::size_t own = 0; own < kCodeSets; ++own) {
+      // A row of the family stands before those of one set.
+      if (set == CodeSet::Family || set == static_cast<CodeSet>(own)) {
+        index[own][key(kGCodeRows[i].number)] = static_cast<std::uint8_t>(i + 1);
+      }
+    }
   }
   return index;
 }();
@@ -55,15 +65,16 @@ std::span<const GCode> g_codes() {
   return kGCodeRows;
 }
 
-const GCode* find_g_code(GNumber number) {
+const GCode* find_g_code(GNumber number, CodeSet own) {
+  const RowsByKey& rows = kIndex[static_cast<std::size_t>(own)];
   const std::size_t place = key(number);
-  return place < kKeys && kIndex[place] != 0 ? &kGCodeRows[kIndex[place] - 1] : nullptr;
+  return place < kKeys && rows[place] != 0 ? &kGCodeRows[rows[place] - 1] : nullptr;
 }
 
-const GCode* find_g_code(double value) {
+const GCode* find_g_code(double value, CodeSet own) {
   const auto plain = static_cast<std::int16_t>(value >= 0.0 && value < 1000.0 ? value : 0.0);
   if (plain == value) {
-    return find_g_code(GNumber{plain, 0});
+    return find_g_code(GNumber{plain, 0}, own);
   }
   const double tenths = value * 10.0;
   if (value < 0.0 || value >= 1000.0 || std::abs(tenths - std::round(tenths)) > 1e-6) {
@@ -71,7 +82,7 @@ const GCode* find_g_code(double value) {
   }
   const int whole = static_cast<int>(std::round(tenths));
   return find_g_code(
-      GNumber{static_cast<std::int16_t>(whole / 10), static_cast<std::int8_t>(whole % 10)});
+      GNumber{static_cast<std::int16_t>(whole / 10), static_cast<std::int8_t>(whole % 10)}, own);
 }
 
 }  // namespace g31::fanuc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -66,6 +67,7 @@ constexpr bool is_passed_over(GAction action) {
 
 /// Which controls of the family have a G code.
 enum class CodeSet : std::uint8_t { Family, Meldas, Haas };
+inline constexpr std::size_t kCodeSets = 3;
 
 /// Groups of modal codes; the value is n of #4000+n, which shows the code in force.
 enum class Group : std::uint8_t {
@@ -103,9 +105,10 @@ using GroupCodes = IndexedBy<Group, GNumber, kGroupCount>;
 /// All rows, rising.
 std::span<const GCode> g_codes();
 
-/// The row of a number, or nullptr: alarm 010.
-const GCode* find_g_code(GNumber number);
+/// The row of a number on controls of a set, or nullptr: alarm 010.  A row of the set itself counts
+/// before that of the family.
+const GCode* find_g_code(GNumber number, CodeSet own);
 /// That of a word's value; nullptr also when it is negative, too large or has more decimals.
-const GCode* find_g_code(double value);
+const GCode* find_g_code(double value, CodeSet own);
 
 }  // namespace g31::fanuc

@@ -11,9 +11,14 @@ namespace {
 
 using enum VariableGroup;
 
-constexpr GNumber kFiveAxisCodes[] = {{43, 4}, {43, 5}, {53, 1}, {53, 6}, {54, 2},
-                                      {54, 4}, {68, 2}, {68, 3}, {68, 4}};
-constexpr GNumber kMissingOfBrother[] = {{20, 0}, {21, 0}, {43, 4}, {43, 5}, {53, 1}, {53, 6},
+constexpr GNumber kMissingOf16i[] = {{38, 0}};
+constexpr GNumber kMissingOf0i[] = {{38, 0}, {43, 4}, {43, 5}, {53, 1}, {53, 6},
+                                    {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
+constexpr GNumber kMissingOfHaas[] = {{38, 0}, {39, 0}, {43, 4}, {43, 5}, {45, 0},
+                                      {46, 0}, {47, 0}, {48, 0}, {53, 1}, {53, 6},
+                                      {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
+constexpr GNumber kMissingOfBrother[] = {{20, 0}, {21, 0}, {38, 0}, {39, 0}, {43, 4}, {43, 5},
+                                         {45, 0}, {46, 0}, {47, 0}, {48, 0}, {53, 1}, {53, 6},
                                          {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
 /// The tilted plane is an option there, tool centre point control is not to be had.
 constexpr GNumber kMissingOf0iF[] = {{43, 4}, {43, 5}, {53, 6}, {54, 2}, {54, 4}, {68, 3}, {68, 4}};
@@ -33,6 +38,7 @@ constexpr Profile fanuc_16i() {
   Profile profile;
   profile.name = "fanuc-16i";
   profile.text = "Fanuc 16i, 18i, 21i";
+  profile.missing_g_codes = kMissingOf16i;
   return profile;
 }
 
@@ -40,7 +46,7 @@ constexpr Profile fanuc_0i() {
   Profile profile = fanuc_16i();
   profile.name = "fanuc-0i";
   profile.text = "Fanuc 0i-A to 0i-C; for 0i-D and 0i-F take fanuc-30i";
-  profile.missing_g_codes = kFiveAxisCodes;
+  profile.missing_g_codes = kMissingOf0i;
   return profile;
 }
 
@@ -48,6 +54,7 @@ constexpr Profile fanuc_30i() {
   Profile profile = fanuc_16i();
   profile.name = "fanuc-30i";
   profile.text = "Fanuc 30i, 31i, 32i, 0i-D, 0i-F";
+  profile.missing_g_codes = {};
   profile.alarm_numbers = AlarmNumbers::Series30i;
   profile.alarm_prefix = "PS";
   profile.excess_decimals = ExcessDecimals::Round;
@@ -100,6 +107,7 @@ constexpr Profile meldas() {
   profile.has_bare_expressions = true;
   profile.joins_conditions = true;
   profile.own_g_codes = CodeSet::Meldas;
+  profile.missing_g_codes = {};
   profile.calls = {4, 8, 8};
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
@@ -156,7 +164,7 @@ constexpr Profile haas() {
   profile.bare_reference_moves_all = true;
   profile.variables = {Basic, OffsetsHaas, ShiftAt5201, HaasTables};
   profile.own_g_codes = CodeSet::Haas;
-  profile.missing_g_codes = kFiveAxisCodes;
+  profile.missing_g_codes = kMissingOfHaas;
   profile.plans_ahead = true;
   profile.joins_conditions = true;
   profile.conditions_are_numbers = true;
@@ -219,8 +227,9 @@ std::span<const Profile> profiles() {
 }
 
 bool has_g_code(const Profile& profile, const GCode& code) {
-  return (code.set == CodeSet::Family || code.set == profile.own_g_codes) &&
-         std::ranges::find(profile.missing_g_codes, code.number) == profile.missing_g_codes.end();
+  const auto& missing = profile.missing_g_codes;
+  return code.set == CodeSet::Family ? std::ranges::find(missing, code.number) == missing.end()
+                                     : code.set == profile.own_g_codes;
 }
 
 const Profile* find_profile(std::string_view name) {
