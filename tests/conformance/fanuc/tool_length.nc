@@ -131,3 +131,74 @@ M30
 (EXPECT MOVE 2 Z300)
 (EXPECT MOVE 3 X10 Z300)
 (EXPECT #100 = 300)
+
+(CASE tool length compensation B: the axis perpendicular to the plane)
+(PARAMETER 5001.1 = 1)
+%
+O1
+G90 G18 G43 H1 G0 Y10.
+#100=#5082
+G17 G43 H1 Z20.
+#101=#5083
+#102=#5082
+H0
+#103=#5082
+G49
+#104=#5082
+M30
+%
+(EXPECT MOVE 1 Y110)
+(EXPECT #100 = 100)
+(EXPECT MOVE 2 Z120)
+(EXPECT #101 = 100)
+(EXPECT #102 = 100)
+(EXPECT #103 = 100)
+(EXPECT #104 = 0)
+
+(CASE tool length compensation C: the axis that the block names)
+(PARAMETER 5001.0 = 1)
+%
+O1
+G90 G19 G44 X10. H1 G0
+#100=#5081
+H0 Y5.
+#101=#5081
+G49
+M30
+%
+(EXPECT MOVE 1 X-90)
+(EXPECT #100 = -100)
+(EXPECT #101 = 0)
+
+(CASE tool length compensation C without an axis)
+(PARAMETER 5001.0 = 1)
+%
+O1
+G90 G0 G43 H1
+M30
+%
+(EXPECT ALARM 27 AT 4)
+
+(CASE tool length compensation C of a further axis)
+(PARAMETER 5001.0 = 1)
+%
+O1
+G90 G0 G43 X0 H1
+G43 Z0 H1
+M30
+%
+(EXPECT ALARM 27 AT 5)
+
+(CASE TAL lets it)
+(PARAMETER 5001.0 = 1)
+(PARAMETER 5001.3 = 1)
+%
+O1
+G90 G0 G43 X0 H1
+G43 Z0 H1
+#100=#5081
+#101=#5083
+M30
+%
+(EXPECT #100 = 100)
+(EXPECT #101 = 100)

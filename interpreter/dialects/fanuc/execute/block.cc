@@ -120,7 +120,7 @@ MaybeFailure select_offsets(Control& control, NcBlock& block, const Codes& codes
   if (!is_commanded && !control.parameters.is_on(ParameterId::LengthAtNextBlock)) {
     return std::nullopt;
   }
-  auto failure = select_tool_length(control, block);
+  auto failure = select_tool_length(control, block, codes.tool_length);
   block.changes_length = block.changes_length && is_commanded;
   return failure;
 }

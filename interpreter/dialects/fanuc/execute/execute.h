@@ -43,8 +43,9 @@ MaybeFailure execute_local_shift(Control& control, const NcBlock& block);       
 MaybeFailure execute_set_position(Control& control, const NcBlock& block);      // offsets.cc
 MaybeFailure execute_preset(Control& control, const NcBlock& block);            // offsets.cc
 MaybeFailure select_work_offset(Control& control, const BlockWords& words,
-                                GNumber code);                               // offsets.cc
-MaybeFailure select_tool_length(Control& control, NcBlock& block);           // offsets.cc
+                                GNumber code);  // offsets.cc
+MaybeFailure select_tool_length(Control& control, NcBlock& block,
+                                const GCode* commanded);                     // offsets.cc
 MaybeFailure execute_mirror(Control& control, const NcBlock& block);         // transforms.cc
 MaybeFailure execute_mirror_off(Control& control, const NcBlock& block);     // transforms.cc
 MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // transforms.cc

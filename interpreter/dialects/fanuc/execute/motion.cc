@@ -45,6 +45,16 @@ AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
   return q_L_end;
 }
 
+/// Absolute words of rotary axes that go round.
+void take_roll_over(const Control& control, const NcBlock& block, AxisPositions& q_L_end) {
+  const AxisPositions& q_L = control.coordinates.programmed();
+  for (int axis = kLinearAxisCount; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+      q_L_end[axis] = control.roll_over.end(axis, q_L_end[axis], q_L[axis]);
+    }
+  }
+}
+
 }  // namespace
 
 double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
@@ -53,7 +63,12 @@ double axis_value(const Control& control, const EvaluatedWord& word, std::size_t
 }
 
 AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
-  return end_of(control, block, control.modal.incremental());
+  const bool adds = control.modal.incremental();
+  AxisPositions q_L_end = end_of(control, block, adds);
+  if (!adds && control.roll_over.is_on()) {
+    take_roll_over(control, block, q_L_end);
+  }
+  return q_L_end;
 }
 
 AxisPositions named_point(const Control& control, const NcBlock& block) {
@@ -235,7 +250,8 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
       const auto place = static_cast<Eigen::Index>(axis);
       const double value = axis_value(control, *word, axis);
-      q_M_end[place] = adds ? q_M_end[place] + value : value;
+      q_M_end[place] = adds ? q_M_end[place] + value
+                            : control.roll_over.end(static_cast<int>(axis), value, q_M_end[place]);
       if (cancels) {
         control.coordinates.end_tool_offset(static_cast<int>(axis));
       }

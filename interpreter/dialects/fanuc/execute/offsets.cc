@@ -11,6 +11,53 @@ namespace {
 
 constexpr int kToolAxis = 2;  // Z: the spindle of a vertical machining centre
 
+/// Whether a length acts along another linear axis than this one.
+bool acts_elsewhere(const AxisPositions& q_offset, int axis) {
+  AxisPositions q_others = q_offset;
+  q_others[axis] = 0.0;
+  return !q_others.isZero(0.0);
+}
+
+/// The axis of tool length compensation C.
+/// @param code  G43 or G44 of the block; nullptr: it has none
+Result<int, Failure> named_length_axis(const Control& control, const NcBlock& block,
+                                       const GCode* code) {
+  if (code == nullptr) {
+    return control.modal.length_axis;
+  }
+  std::optional<int> named;
+  int count = 0;
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
+    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+      named = axis;
+      ++count;
+    }
+  }
+  if (count != 1) {
+    return block_failure(AlarmId::LengthWithoutAxis,
+                         fmt::format("{} names {} axes", to_text(code->number), count));
+  }
+  if (!control.parameters.is_on(ParameterId::LengthOnSeveralAxes) &&
+      acts_elsewhere(control.coordinates.tool_offset(), *named)) {
+    return block_failure(AlarmId::LengthWithoutAxis, "another axis is compensated");
+  }
+  return *named;
+}
+
+/// The axis that G43, G44 and H compensate.  Source: FANUC 30i connection manual B-63943EN-1/02,
+/// 12.5, tool length compensation A, B and C.
+Result<int, Failure> length_axis(const Control& control, const NcBlock& block, const GCode* code) {
+  const GNumber in_force = control.modal.group[Group::ToolLength];
+  if (in_force.tenth != 0 || in_force.whole == 49) {
+    return kToolAxis;
+  }
+  if (control.parameters.is_on(ParameterId::LengthOnNamedAxis)) {
+    return named_length_axis(control, block, code);
+  }
+  return control.parameters.is_on(ParameterId::LengthAcrossPlane) ? control.modal.plane().across
+                                                                  : kToolAxis;
+}
+
 Failure missing(source::DiagnosticId row, std::string what) {
   Failure failure;
   failure.status = runtime::Status::Setup;
@@ -62,7 +109,8 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
 }
 
 /// G43, G44, G49, and H, which waits for one of the first two under G49 (MB-135, MB-295, MB-296).
-MaybeFailure select_tool_length(Control& control, NcBlock& block) {
+/// @param commanded  the code of the block; nullptr: it has none
+MaybeFailure select_tool_length(Control& control, NcBlock& block, const GCode* commanded) {
   const int code = control.modal.group[Group::ToolLength].whole;
   if (const EvaluatedWord* const h = block.words.find('H')) {
     const auto number = integer_within(*h, [&control](int given) {
@@ -77,7 +125,14 @@ MaybeFailure select_tool_length(Control& control, NcBlock& block) {
   if (auto failure = select_tip_control(control)) {
     return failure;
   }
-  AxisPositions q_offset = AxisPositions::Zero();
+  const auto axis = length_axis(control, block, commanded);
+  if (!axis) {
+    return axis.error();
+  }
+  control.modal.length_axis = axis.value();
+  AxisPositions q_offset =
+      code == 49 ? AxisPositions(AxisPositions::Zero()) : control.coordinates.tool_offset();
+  q_offset[axis.value()] = 0.0;
   const int number = control.modal.length_offset;
   if (code != 49 && number != 0) {
     if (!control.expected_tools.empty() && !control.expected_tools.contains(number) &&
@@ -90,7 +145,7 @@ MaybeFailure select_tool_length(Control& control, NcBlock& block) {
     }
     const runtime::ToolEntry entry = control.offsets.get(number);
     const double length = entry.length_mm + entry.length_wear_mm;
-    q_offset[kToolAxis] = code == 44 ? -length : length;
+    q_offset[axis.value()] = code == 44 ? -length : length;
   }
   const bool shifts = control.profile.length_change == LengthChange::ShiftsCoordinates ||
                       control.parameters.is_on(ParameterId::LengthShifts);

@@ -53,7 +53,8 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     if (goes(axis)) {
       control.q_L_intermediate[static_cast<std::size_t>(axis)] = q_L_via[axis];
-      q_M_home[axis] = reference_point(control, which.value(), axis);
+      q_M_home[axis] = control.roll_over.nearest(
+          axis, reference_point(control, which.value(), axis), q_M_via[axis]);
     }
   }
   auto failure = rapid_to(control, q_M_home, machine::RapidPath::Independent);
@@ -77,7 +78,8 @@ MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
         return at_word(AlarmId::NoIntermediatePoint, *word,
                        fmt::format("{} has no intermediate point of a G28", word->letter));
       }
-      q_L_via[static_cast<Eigen::Index>(axis)] = *via;
+      double& end = q_L_via[static_cast<Eigen::Index>(axis)];
+      end = control.roll_over.nearest(static_cast<int>(axis), *via, end);
     }
   }
   if (!block.has_axis_word) {
@@ -112,7 +114,8 @@ MaybeFailure execute_check_reference(Control& control, const NcBlock& block) {
   control.coordinates.arrived_at_programmed(q_L_end);
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
-    const double off = q_M_end[axis] - reference_point(control, 1, axis);
+    const double off = q_M_end[axis] - control.roll_over.nearest(
+                                           axis, reference_point(control, 1, axis), q_M_end[axis]);
     if (block.words.has(letter) && std::abs(off) > kOnReference) {
       return block_failure(AlarmId::ReferenceNotReached,
                            fmt::format("{} stands {:.4f} off its reference point", letter, off));

@@ -134,10 +134,7 @@ void take_centre_settings(Control& control) {
 /// Those that g31 does not have, or that change nothing.
 void tell_unknown_parameters(Control& control, const runtime::ControlSetup& setup) {
   for (const auto& [name, value] : setup.parameters) {
-    int number = 0;
-    std::from_chars(name.data(), name.data() + name.size(), number);
-    const ParameterInfo* const row = find_parameter(number);
-    if (row == nullptr || row->is_idle) {
+    if (!has_effect(name)) {
       control.diagnostics.push_back(
           make_diagnostic(source::DiagnosticId::UnknownParameter, {}, name));
       control.diagnostics.back().setting = "parameters." + name;

@@ -180,6 +180,7 @@ void Control::apply(const Parameters& given) {
   code_calls.turn_over(before, parameters, profile);
   evaluator.set_rules(rules_of(profile, parameters));
   scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
+  roll_over = RollOver(parameters);
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
                     nearest_integer(parameters.get(ParameterId::LastProtected)));
   choose_system_variables();

@@ -13,6 +13,7 @@
 #include "interpreter/dialects/fanuc/state/offsets.h"
 #include "interpreter/dialects/fanuc/state/plane_points.h"
 #include "interpreter/dialects/fanuc/state/polar.h"
+#include "interpreter/dialects/fanuc/state/roll_over.h"
 #include "interpreter/dialects/fanuc/state/signals.h"
 #include "interpreter/dialects/fanuc/state/variables.h"
 #include "interpreter/dialects/fanuc/state/work_transform.h"
@@ -43,7 +44,8 @@ struct Modal {
   /// The last value of each argument of specification I, by its local variable: #4101 to #4126 of a
   /// Haas.
   std::array<double, 27> arguments{};
-  int length_offset = 0;      ///< H in force
+  int length_offset = 0;  ///< H in force
+  int length_axis = 2;    ///< its axis: Z of a vertical machining centre, else by parameter 5001
   int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
 
   Modal();
@@ -117,6 +119,7 @@ struct ControlState {
   CutterStage cutter;
   OffsetTable offsets;
   WordScale scale;
+  RollOver roll_over;  ///< as the parameters say
   std::set<int> block_skip;
   runtime::FeedSwitches feed_switches;
   CodeCalls code_calls;

@@ -54,6 +54,22 @@ const ParameterInfo* find_parameter(int number) {
   return row != kParameterRows.end() ? row : nullptr;
 }
 
+bool has_effect(std::string_view name) {
+  const char* const end = name.data() + name.size();
+  int number = 0;
+  const auto after = std::from_chars(name.data(), end, number);
+  int bit = -1;
+  if (after.ptr != end) {
+    std::from_chars(after.ptr + 1, end, bit);
+  }
+  // What stands for all bits together is none of them; an axis has all of them.
+  const bool is_of_axis = after.ptr != end && bit < 0;
+  return std::ranges::any_of(kParameterRows, [&](const ParameterInfo& row) {
+    const bool is_here = row.first <= number && number <= row.last && !row.is_idle;
+    return is_here && (!row.bit || is_of_axis || *row.bit == bit);
+  });
+}
+
 Result<Parameters, std::string> Parameters::from(const std::map<std::string, double>& entries) {
   Parameters parameters;
   for (const auto& [name, value] : entries) {
@@ -85,6 +101,16 @@ bool Parameters::is_on(ParameterId id) const {
   const ParameterInfo& row = info(id);
   G31_EXPECTS(row.bit.has_value());
   return bit(row.first, *row.bit);
+}
+
+bool Parameters::is_on_for_axis(ParameterId id, int axis) const {
+  const ParameterInfo& row = info(id);
+  const auto found = axis_values_.find({row.first, axis});
+  if (found == axis_values_.end()) {
+    return is_on(id);
+  }
+  const double digits = std::trunc(found->second / std::pow(10.0, row.bit.value_or(0)));
+  return std::fmod(digits, 10.0) == 1.0;
 }
 
 double Parameters::get(ParameterId id, int index) const {

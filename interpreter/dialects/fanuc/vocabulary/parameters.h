@@ -40,6 +40,9 @@ const ParameterInfo& info(ParameterId id);
 /// The first row that holds the number, or nullptr: a parameter that changes nothing here.
 const ParameterInfo* find_parameter(int number);
 
+/// Whether what a sheet calls so changes anything here: "6001.1", "3410", "1240.X".
+bool has_effect(std::string_view name);
+
 /// Control parameters as the set-up sheet or G10 L50 gives them.
 class Parameters {
  public:
@@ -48,6 +51,8 @@ class Parameters {
   static Result<Parameters, std::string> from(const std::map<std::string, double>& entries);
 
   [[nodiscard]] bool is_on(ParameterId id) const;
+  /// Of one axis, where that has digits of its own.  @param axis  storage index
+  [[nodiscard]] bool is_on_for_axis(ParameterId id, int axis) const;
   /// @param index  which of the row's numbers, from 0
   [[nodiscard]] double get(ParameterId id, int index = 0) const;
   /// The value of one axis; where only the number has one, that.  @param axis  storage index
