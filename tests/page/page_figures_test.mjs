@@ -3,10 +3,12 @@ import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
 import { launch, open, pageOf } from './browser.mjs';
 import { BORE, PIN, sampleRun } from './sample_run.mjs';
+import { approachOf } from '../../tools/page/web/src/plan_approaches.js';
 import { planesOf } from '../../tools/page/web/src/plan_planes.js';
 import { PlanView } from '../../tools/page/web/src/plan_view.js';
 import { Run } from '../../tools/page/web/src/run.js';
 import { circleOf, cutsOf, outlinesOf, roundOf } from '../../tools/page/web/src/section.js';
+import { onScale } from '../../tools/page/web/src/timeline_curves.js';
 import { SolidEdges, cylinder } from '../../tools/page/web/src/solid_edges.js';
 import { between, fromZ, turned, turnedBack } from '../../tools/page/web/src/turn.js';
 
@@ -128,7 +130,7 @@ test('the plan says what was put in: centre 1 um off in X, diameter by part and 
   const { page, close } = await open(browser, pageOf('plan', sampleRun()));
   await page.click('tr[data-touch="3"] td:nth-child(3)');
   const caption = await page.textContent('#plancap');
-  assert.match(caption, /centre X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/); // 2 (10.5 + 4.2)
+  assert.match(caption, /off the true one by X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/); // 2 (10.5 + 4.2)
   assert.match(await page.textContent('#plan svg'), /\+15\.7 µm/); // 10.5 + 4.2 + 1.0 at +X
   const ball = await page.evaluate(() => document.querySelector('#pball').getBoundingClientRect().width);
   const bore = await page.evaluate(() => {
@@ -160,7 +162,7 @@ test('touches of a turned part are drawn where it stands', async () => {
   });
   const { page, close } = await open(browser, pageOf('turned', turnedRun()));
   await page.click('tr[data-touch="3"] td:nth-child(3)');
-  assert.match(await page.textContent('#plancap'), /centre X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/);
+  assert.match(await page.textContent('#plancap'), /off the true one by X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/);
   assert.ok(await page.locator('.scene-labels .badge').count() >= 8);
   await close();
 });
@@ -190,7 +192,7 @@ test('a tilted part is seen along its own axes', async () => {
   const { page, close } = await open(browser, pageOf('tilted', tiltedRun(turn)));
   await page.click('tr[data-touch="3"] td:nth-child(3)');
   assert.match(await page.textContent('#planhead'), /housing, part frame, section at Z −5\.0 mm/);
-  assert.match(await page.textContent('#plancap'), /centre X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/);
+  assert.match(await page.textContent('#plancap'), /off the true one by X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/);
   await page.click('tr[data-touch="24"] td:nth-child(3)'); // a part that is not tilted
   assert.match(await page.textContent('#planhead'), /plate, G54, section at Z/);
   await close();
@@ -212,6 +214,52 @@ test('a plan is as large as what was touched with, and not as what was touched i
   near(view.frame.half, 50, 1e-9);
   near(view.frame.u, PIN.u, 1e-9);
   near(new PlanView(new Run(document, figures), { ...beam, fixture: false }, plane).frame.half, 660, 1e-9);
+});
+
+/** Part and plane of the sample's housing. */
+function housingView(run) {
+  const { name, origin, positions, triangles } = run.figures.parts[0];
+  const bytes = (text) => Uint8Array.from(Buffer.from(text, 'base64')).buffer;
+  const part = { name, origin, fixture: false, turn: [0, 0, 0, 1], positions: new Float32Array(bytes(positions)), triangles: new Uint32Array(bytes(triangles)) };
+  return new PlanView(run, part, planesOf(part)[0]);
+}
+
+test('the arrow of a touch lies along its move, and within it', () => {
+  const { document, figures } = sampleRun();
+  const run = new Run(document, figures);
+  const view = housingView(run);
+  assert.equal(view.contacts.length, 8);
+  for (const contact of view.contacts) {
+    const { from, to } = approachOf(contact, view);
+    const way = run.wayAt(contact.time);
+    assert.equal(way.kind, 'skip');
+    const [start, end] = [way.points.slice(0, 2), way.points.slice(-3, -1)];
+    const move = [end[0] - start[0], end[1] - start[1]];
+    const arrow = [to[0] - from[0], to[1] - from[1]];
+    const long = Math.hypot(...move);
+    near((arrow[0] * move[0] + arrow[1] * move[1]) / long, Math.hypot(...arrow), 1e-9); // the same direction
+    assert.ok(Math.hypot(...arrow) > 0.1 && Math.hypot(...arrow) <= long + 1e-9, `${Math.hypot(...arrow)} of ${long} mm`);
+    // A way shorter than the ball is there in whole, to the ball's centre; of a long one what lies behind the ball.
+    near(Math.hypot(to[0] - end[0], to[1] - end[1]), long < 3 ? 0 : contact.radius + 0.04 * view.frame.half, 1e-9);
+  }
+});
+
+test('a curve beyond its scale is not drawn as if it lay at the edge', () => {
+  const { within, beyond } = onScale([[0, 0], [10, 0], [20, 300], [30, 300.5], [40, 305]], [299, 301]);
+  assert.deepEqual(within.map((piece) => piece.map(([px, mm]) => [Number(px.toFixed(2)), Number(mm.toFixed(2))])),
+    [[[19.96, 298.9], [20, 300], [30, 300.5], [31.38, 301.12]]]);
+  assert.deepEqual(beyond.map(({ isOver, most, from, until }) => [isOver, most, from.toFixed(2), until.toFixed(2)]),
+    [[false, 0, '0.00', '19.96'], [true, 305, '31.38', '40.00']]);
+  const all = onScale([[0, 299], [10, 301]], [299, 301]);
+  assert.deepEqual([all.within.length, all.beyond.length], [1, 0]);
+});
+
+test('the time line tells how far a curve goes beyond its scale', async () => {
+  const run = sampleRun();
+  for (const way of run.figures.ways) if (way.time_s[0] === 0) way.points = way.points.map((mm, n) => (n % 3 === 0 ? mm - 900 : mm));
+  const { page, close } = await open(browser, pageOf('beyond', run));
+  assert.match(await page.locator('#chart .beyond').first().getAttribute('d'), /^M/);
+  await close();
 });
 
 test('a collision with a turned part is where it stands', () => {

@@ -21,21 +21,22 @@ function sceneLegend(compared) {
   return keys.join('');
 }
 
-/** The bands of motion differ in height, too. @param {Run | null} other */
-function timelineLegend(other) {
+/** The bands of motion differ in height, too. @param {Run | null} other @param {boolean} goesBeyond whether a curve leaves its scale */
+function timelineLegend(other, goesBeyond) {
   const heights = /** @type {[Kind, number][]} */ ([['rapid', 4], ['feed', 8], ['skip', 12]]);
   const keys = heights.map(([kind, height]) => key(`<svg width="14" height="12" aria-hidden="true"><rect y="${6 - height / 2}" width="14" `
     + `height="${height}" fill="var(--${kind})"/></svg>`, word(kind)));
   if (other) keys.push(key(line('accent', 1.3, '4 3'), word(other.hasTimes ? 'other_run' : 'other_run_untimed')));
-  return `<span class="right">${keys.join('')}${key('', word('positions_mm'))}</span>`;
+  const beyond = !goesBeyond ? '' : key('<svg width="10" height="10" aria-hidden="true"><path d="M1 3h8l-4 5z" fill="var(--ink2)"/></svg>', word('beyond_scale'));
+  return `<span class="right">${keys.join('')}${key('', word('positions_mm'))}${beyond}</span>`;
 }
 
-/** @param {Run | null} other @param {boolean} isCut whether a part is cut open */
-export function drawLegends(other, isCut) {
+/** @param {Run | null} other @param {boolean} isCut whether a part is cut open @param {boolean} goesBeyond whether a curve leaves its scale */
+export function drawLegends(other, isCut, goesBeyond) {
   const scene = byId('scenecap');
   if (scene && !scene.childElementCount) scene.innerHTML = sceneLegend(other != null);
   const sceneHead = byId('scenehead');
   if (sceneHead && sceneHead.childElementCount < 2) sceneHead.insertAdjacentHTML('beforeend', `<span class="sub noprint">${esc(word(isCut ? 'cut_drag_to_turn' : 'drag_to_turn'))}</span>`);
   const chart = byId('charthead');
-  if (chart && chart.childElementCount < 2) chart.insertAdjacentHTML('beforeend', timelineLegend(other));
+  if (chart && chart.childElementCount < 2) chart.insertAdjacentHTML('beforeend', timelineLegend(other, goesBeyond));
 }

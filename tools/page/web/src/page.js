@@ -74,7 +74,7 @@ function followSize(choice) {
 
 /** @param {import('./types').RunDocument} document_ @param {import('./types').Figures} figures */
 function start(document_, figures) {
-  const run = new Run(named(document_, figures), figures);
+  const run = new Run(named(figures.run ?? document_, figures), figures);
   const { compare } = figures;
   // Both runs are shown in the frame of this one: what lies at one place in the machine lies at one on the page.
   const other = compare ? new Run(compare.document, { ...compare.figures, frame: figures.frame, probe: figures.probe }) : null;
@@ -87,7 +87,7 @@ function start(document_, figures) {
   const timeline = new Timeline(choice, other);
   const transport = new Transport(choice, (file, line) => listing.textOf(file, line));
   transport.show();
-  drawLegends(other, parts.some((part) => apexOf(part, run) != null));
+  drawLegends(other, parts.some((part) => apexOf(part, run) != null), timeline.goesBeyond);
   linkEverything(choice, listing);
   linkTheme(() => choice.tell('theme'));
   followSize(choice);

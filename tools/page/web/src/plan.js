@@ -1,5 +1,6 @@
 // The plan view: outline of a part at the height of its touches, touches with magnified deviations, the playing ball.
 import { byId, clamp, decimalsOf, esc, niceStep, num } from './markup.js';
+import { drawApproaches } from './plan_approaches.js';
 import { planKeys } from './plan_keys.js';
 import { flat, height, planeOf, planesOf } from './plan_planes.js';
 import { PlanView } from './plan_view.js';
@@ -86,7 +87,7 @@ export class Plan {
     const page = new Sheet(view, width, clamp(width * share, 300, 540));
     const { touch } = this.choice;
     const drawing = [this.material(view, page), page.rulers(), zonesOf(view, page), measuredOf(view, page), drawOrigin(view, page),
-      this.ghost(view, page), view.crash ? '' : approachesOf(view, page), whiskersOf(view, page, touch), view.crash ? drawCrash(view, page) : '',
+      this.ghost(view, page), view.crash ? '' : drawApproaches(view, page), whiskersOf(view, page, touch), view.crash ? drawCrash(view, page) : '',
       this.ball(page), page.scales()].join('');
     const label = esc(word('plan_aria', { part: this.part.name }));
     this.box.innerHTML = `<svg class="fig" viewBox="0 0 ${page.width} ${page.height}" role="img" aria-label="${label}">${drawing}</svg>`;
@@ -153,22 +154,6 @@ export class Plan {
       + `${esc(word('section_at', { axis, height: above }))}; ${esc(size)}</span><span class="right">${parts}`
       + `${choose(word('plan_plane'), 'plane', planes.map(({ name }) => name), planes.indexOf(view.plane))}</span>`;
   }
-}
-
-/** Where each wall was probed from. @param {PlanView} view @param {Sheet} page */
-function approachesOf(view, page) {
-  const seen = new Set();
-  return view.contacts.map(({ normal, ball, radius }) => {
-    if (!normal || !ball || seen.size > 24) return '';
-    const reach = Math.min(view.frame.half * 0.3, 5 * (radius || view.frame.half));
-    const [nu, nv] = flat(normal, view.plane);
-    const [u, v] = flat(ball, view.plane);
-    const key = `${Math.round(u)} ${Math.round(v)}`;
-    if (seen.has(key)) return '';
-    seen.add(key);
-    const away = radius + 0.04 * view.frame.half;
-    return page.arrow([u + nu * (away + reach), v + nv * (away + reach)], [u + nu * away, v + nv * away], 'var(--skip)', 1.3);
-  }).join('');
 }
 
 /** The paper of a plan view: mm of its plane to px. */

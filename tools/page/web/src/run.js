@@ -67,6 +67,11 @@ export class Run {
     return between(way.turns[0], way.turns[1], until > from ? Math.min(1, Math.max(0, (time - from) / (until - from))) : 1);
   }
 
+  /** The way that the ball is on, or whose end it has just come to. @param {number} time @returns {Way | null} */
+  wayAt(time) {
+    return this.ways[lastUpTo(this.ways, time - AT_ONCE, (way) => way.time_s[1]) + 1] ?? null;
+  }
+
   /** All balls of the stylus in true size, the main one first; none before the first way. @param {number} time */
   ballsAt(time) {
     const main = this.ballAt(time);

@@ -1,5 +1,6 @@
 // The time line: touches, calls as a flame, bands of motion, axis positions, the playhead; scrubbing.
 import { byId, clamp, decimalsOf, esc, mark, niceStep, num } from './markup.js';
+import { drawnCurve, levelOf } from './timeline_curves.js';
 import { bandsOf, curvesOf, marksOf, rangesOf, spansOf } from './timeline_layers.js';
 import { word } from './words.js';
 
@@ -18,6 +19,7 @@ export class Timeline {
     this.other = other;
     this.box = byId('chart');
     this.width = 0;
+    this.goesBeyond = false;
     if (!this.box || !(choice.run.duration > 0)) return;
     this.ranges = rangesOf(choice.run);
     let scrubs = false;
@@ -170,17 +172,19 @@ export class Timeline {
     return ['X', 'Y', 'Z'].map((name, axis) => {
       const top = y0 + axis * CURVE;
       const [low, high] = ranges[axis];
-      const y = (/** @type {number} */ value) => top + 38 - clamp((value - low) / (high - low), -0.05, 1.06) * 34;
-      const line = (/** @type {[number, number][]} */ points) => points.filter((p) => p[0] <= this.width - RIGHT + 0.5)
-        .map(([px, value], n) => `${n ? 'L' : 'M'}${px.toFixed(1)} ${y(value).toFixed(1)}`).join('');
+      const shown = (/** @type {[number, number][]} */ points) => drawnCurve(points.filter((p) => p[0] <= this.width - RIGHT + 0.5), ranges[axis], top);
+      const curve = shown(own[axis]);
+      this.goesBeyond ||= curve.arrows !== '';
       const ends = this.width < NARROW ? '' : [[high, 11], [low, 40]].map(([value, dy]) => `<text x="${this.gutter() - 26}" `
         + `y="${top + dy}" font-size="10" fill="var(--ink3)" text-anchor="end">${num(value, 0)}</text>`).join('');
       const zero = low < 0 && high > 0
-        ? `<path d="M${this.gutter()} ${y(0).toFixed(1)}H${this.width - RIGHT}" stroke="var(--line2)" stroke-dasharray="2 3"/>` : '';
+        ? `<path d="M${this.gutter()} ${levelOf(0, ranges[axis], top).toFixed(1)}H${this.width - RIGHT}" stroke="var(--line2)" stroke-dasharray="2 3"/>` : '';
       return `<path d="M${this.gutter()} ${top + 42}H${this.width - RIGHT}" stroke="var(--line)"/>${zero}`
         + `${this.label(name, top + 24)}${ends}`
-        + (ghost ? `<path class="ghost" d="${line(ghost[axis])}" fill="none" stroke="var(--accent)" stroke-width="1.3" stroke-dasharray="4 3"/>` : '')
-        + `<path d="${line(own[axis])}" fill="none" stroke="var(--ink)" stroke-width="1.3" stroke-linejoin="round"/>`;
+        + (ghost ? `<path class="ghost" d="${shown(ghost[axis]).line}" fill="none" stroke="var(--accent)" stroke-width="1.3" stroke-dasharray="4 3"/>` : '')
+        + `<path d="${curve.line}" fill="none" stroke="var(--ink)" stroke-width="1.3" stroke-linejoin="round"/>`
+        + `<path d="${curve.dots}" stroke="var(--ink3)" stroke-dasharray="1.5 3"/><path class="beyond" d="${curve.arrows}" fill="var(--ink2)"/>`
+        + `<g font-size="10" fill="var(--ink2)">${curve.values}</g>`;
     }).join('');
   }
 

@@ -68,6 +68,8 @@ export interface Figures {
   /** As those of touches. */
   collision?: { contact: Point; normal: Point } | null;
   names?: FileNames | null;
+  /** Of which the figures are, where the document of the page is that of another command. */
+  run?: RunDocument;
   compare?: { document: RunDocument; figures: Figures } | null;
   words?: Record<string, string>; language?: string; listing?: { file: string; text: string }[];
 }
