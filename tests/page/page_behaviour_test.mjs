@@ -130,6 +130,15 @@ test('paper is A4, has a picture of the scene, and the page is as before afterwa
   await close();
 });
 
+test('paper has every program, under its name', async () => {
+  const { page, close } = await open(browser, pageOf('listings', sampleRun()));
+  await page.emulateMedia({ media: 'print' });
+  const shown = await page.evaluate(() => [...document.querySelectorAll('#listing ol, #listing h3')].map((one) =>
+    [one.tagName, one.dataset.file ?? one.textContent, one.getBoundingClientRect().height > 10]));
+  assert.deepEqual(shown, [['H3', 'main.nc', true], ['OL', 'main.nc', true], ['H3', 'O9010.nc', true], ['OL', 'O9010.nc', true]]);
+  await close();
+});
+
 test('nothing was asked of anyone, and no error was told', () => assert.deepEqual(opened.notes, []));
 
 test('a page that g31 writes has its figures', async (t) => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import test, { after, before } from 'node:test';
-import { eventually, fileOf, launch, open, packages, pageOf, pixelsOf, planOf, reportBy } from './browser.mjs';
+import { eventually, fileOf, launch, open, packages, pageOf, pixelsOf, planOf, reportBeside, reportBy } from './browser.mjs';
 import { sampleRun } from './sample_run.mjs';
 
 const AXE = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
@@ -42,6 +42,50 @@ for (const width of [320, 350, 420, 1400]) {
     await close();
   });
 }
+
+const LONG = 'Customer_4711_flange_left_side_operation_20_rev_C_probe_bore_and_face_2026-11.nc';
+
+test('a name without a place to break at makes no page wider than its window', async (t) => {
+  const file = reportBeside('long_name', ['run', fileOf(LONG, 'O1\n#100=1\nM30\n')]);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, close } = await open(browser, file);
+  for (const width of [320, 400, 1280]) {
+    await page.setViewportSize({ width, height: 900 });
+    await eventually(async () => assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width, `${width} px`));
+  }
+  assert.equal(await page.getAttribute('.skip', 'href'), '#results');
+  assert.match(await page.textContent('table#results'), /No results/);
+  await close();
+});
+
+test('long printouts and many touches scroll by themselves', async (t) => {
+  const lines = Array.from({ length: 500 }, (_, n) => `#100=${n}\nDPRNT[N#100[4]]`).join('\n');
+  const file = reportBeside('printouts', ['run', fileOf('printouts.nc', `O1\nPOPEN\n${lines}\nPCLOS\nM30\n`)]);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, close } = await open(browser, file);
+  const high = () => page.evaluate(() => document.querySelector('pre.out').getBoundingClientRect().height);
+  assert.ok(await high() < 700);
+  await page.emulateMedia({ media: 'print' });
+  assert.ok(await high() > 5000);
+  await close();
+  const long = await open(browser, pageOf('many', sampleRun({ rounds: 40 })));
+  await long.page.click('#chart g[data-t]:last-of-type');
+  const [row, box] = await long.page.evaluate(() => ['tr.sel', '.tw.tall'].map((one) => document.querySelector(one).getBoundingClientRect()));
+  assert.ok(box.height < 700 && row.top > box.top && row.bottom < box.bottom, 'the chosen row is in sight of its table');
+  await long.close();
+});
+
+test('what is chosen is seen where the system forces its colours', async () => {
+  const { page, close } = await open(browser, pageOf('forced', sampleRun()));
+  await page.click('tr[data-touch="3"] td:nth-child(3)');
+  await page.emulateMedia({ forcedColors: 'active' });
+  const grounds = (/** @type {string} */ one) => page.evaluate((css) => getComputedStyle(document.querySelector(css)).backgroundColor, one);
+  for (const [chosen, other] of [['#planhead [aria-pressed=true]', '#planhead [aria-pressed=false]'], ['#ltabs [aria-pressed=true]', '#ltabs [aria-pressed=false]'],
+    ['[data-view=section]', '[data-view=iso]'], ['.scene-labels .badge.sel', '.scene-labels .badge:not(.sel)'], ['tr.sel .badge', 'tr:not(.sel) .badge']]) {
+    assert.notEqual(await grounds(chosen), await grounds(other), chosen);
+  }
+  await close();
+});
 
 /** A record of a circle of 50 mm, 5 um too large. */
 function circleRecord() {

@@ -29,16 +29,16 @@ function touchTable({ document, figures }) {
   const heads = ['No.', 'Block', 'Time s', 'Feed', 'X', 'Y', 'Z', 'X', 'Y', 'Z', 'Part', 'X', 'Y', 'Z', 'Dev. µm', 'Angle °', 'Role'];
   return `<section class="card" aria-labelledby="hto"><header><h2 id="hto">Touches</h2><span class="sub">every skip move</span><span class="right">`
     + '<label class="key noprint"><input type="checkbox" id="allt"> also ways without a signal</label></span></header>'
-    + `<div class="tw" tabindex="0" role="region" aria-label="Touches, table"><table id="touches"><thead><tr>${heads.map((h) => `<th>${h}</th>`).join('')}`
+    + `<div class="tw tall" tabindex="0" role="region" aria-label="Touches, table"><table id="touches"><thead><tr>${heads.map((h) => `<th>${h}</th>`).join('')}`
     + `</tr></thead><tbody${long ? ' data-virtual' : ''}>${rows}</tbody></table></div></section>`;
 }
 
 function listing({ document, figures }) {
   const lists = figures.listing.map(({ file, text }) => {
     const lines = text.split('\n');
-    if (lines.length > VIRTUAL_PAST) return `<ol data-file="${esc(file)}" data-virtual data-rows="${lines.length}"></ol>`;
+    if (lines.length > VIRTUAL_PAST) return `<h3 class="vh">${esc(file)}</h3><ol data-file="${esc(file)}" data-virtual data-rows="${lines.length}"></ol>`;
     const counted = document.counts.find((each) => each.file === file)?.lines ?? {};
-    return `<ol data-file="${esc(file)}">${lines.map((line, n) => `<li id="L-${esc(file)}-${n + 1}" data-l="${n + 1}" class="`
+    return `<h3 class="vh">${esc(file)}</h3><ol data-file="${esc(file)}">${lines.map((line, n) => `<li id="L-${esc(file)}-${n + 1}" data-l="${n + 1}" class="`
       + `${counted[n + 1] == null ? '' : counted[n + 1] ? 'x' : 'z'}"><span class="ct">${counted[n + 1] ?? ''}</span><span class="no">${n + 1}</span>`
       + `<span class="tx">${esc(line) || ' '}</span><span class="tb"></span></li>`).join('')}</ol>`;
   }).join('');

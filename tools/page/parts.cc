@@ -19,7 +19,7 @@ std::string drawing(const Drawing& drawing) {
 
 std::string table(const Report& report, const Table& table) {
   std::string html = fmt::format(
-      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{1}"><table{2}><thead><tr>)",
+      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw tall" tabindex="0" role="region" aria-label="{1}"><table{2}><thead><tr>)",
       escaped(table.title), escaped(table_label(report, table.title)),
       table.is_results ? R"( id="results")" : "");
   for (std::size_t i = 0; i < table.head.size(); ++i) {
@@ -101,7 +101,7 @@ std::string motion_part(const Report& report) {
 std::string inputs_part(const Report& report) {
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{3}"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
+      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw tall" tabindex="0" role="region" aria-label="{3}"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
       say(Word::InputsLimits), say(Word::File), say(Word::What),
       table_label(report, say(Word::InputsLimits)));
   for (const Input& input : report.inputs) {

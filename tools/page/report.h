@@ -166,10 +166,12 @@ struct Report {
   std::string command;  ///< that repeats it
   std::optional<Ending> ending;
   std::vector<Characteristic> results;
+  std::string results_of;   ///< "the part as machined"; "": there is one alone
   bool has_motion = false;  ///< plan, scene and time line are to be drawn
   double duration_s = 0.0;
   std::string frame;  ///< "G54": of commanded and latched positions
   std::vector<TouchRow> touches;
+  std::string motion_of;  ///< the part that moves and touches are of; "": there is one alone
   std::vector<Drawing> drawings;
   std::vector<Table> tables;
   std::vector<Listing> listings;

@@ -71,14 +71,17 @@ std::string touches_part(const Report& report) {
   const bool folds = report.touches.size() > kFewRows && without > 0;
   std::string html = fmt::format(
       R"(<section class="card flow" aria-labelledby="hto"><header><h2 id="hto">{}</h2><span class="sub">{}</span>)",
-      say(Word::Touches), say(Word::EverySkipMove));
+      say(Word::Touches),
+      report.motion_of.empty()
+          ? std::string(say(Word::EverySkipMove))
+          : fmt::format("{}; {}", escaped(report.motion_of), say(Word::EverySkipMove)));
   if (folds) {
     html += fmt::format(
         R"(<span class="right noprint"><label class="key"><input type="checkbox" id="allt"> {} ({})</label></span>)",
         say(Word::AlsoWithout), without);
   }
   html += fmt::format(
-      R"(</header><div class="tw" tabindex="0" role="region" aria-label="{}"><table id="touches">)",
+      R"(</header><div class="tw tall" tabindex="0" role="region" aria-label="{}"><table id="touches">)",
       table_label(report, say(Word::Touches)));
   html += head_of(report);
   if (report.touches.size() > kMostRows) {

@@ -39,8 +39,6 @@ export class TouchTable {
 
   /** @param {HTMLElement} body @param {HTMLElement} box */
   makeVirtual(body, box) {
-    box.classList.add('tall');
-    box.tabIndex = 0;
     this.rows = new VirtualRows(box, body, 0, (index) => this.row(this.listed[index]));
   }
 
@@ -61,7 +59,18 @@ export class TouchTable {
     if (touch == null) return;
     const index = this.rows ? this.listed.findIndex((contact) => contact.number === touch) : -1;
     if (index >= 0) this.rows?.reveal(index);
-    this.table.querySelector(`tr[data-touch="${touch}"]`)?.classList.add('sel');
+    const row = this.table.querySelector(`tr[data-touch="${touch}"]`);
+    row?.classList.add('sel');
+    if (row && !this.rows) this.bringInSight(row);
+  }
+
+  /** Scrolls the rows, never the page. @param {Element} row */
+  bringInSight(row) {
+    const box = this.table?.parentElement;
+    const head = this.table?.querySelector('thead')?.getBoundingClientRect().height ?? 0;
+    if (!box) return;
+    const top = row.getBoundingClientRect().top - box.getBoundingClientRect().top;
+    if (top < head || top > box.clientHeight - 2 * head) box.scrollTop += top - box.clientHeight / 2;
   }
 
   /** The place of contact in the frame of its part. @param {import('./types').Contact} contact */
