@@ -95,12 +95,12 @@ std::vector<Listing> listings_of(const RunPage& run, const FileNames& names) {
   return listings;
 }
 
-std::vector<VariableRow> variables_of(const RunPage& run) {
+std::vector<VariableRow> variables_of(const RunPage& run, const Writers& writers) {
   std::vector<VariableRow> rows;
   for (const report::VariableHistory& history : run.result.chronicle->histories()) {
     VariableRow row;
     row.name = history.name;
-    row.meaning = comment_of(run.sources.show(history.last_write).text);
+    row.meaning = writers.meaning_of(history);
     row.writes = history.writes;
     for (const auto& [time_s, value] : history.values) {
       const auto* const cell = std::get_if<runtime::Cell>(&value);
@@ -176,7 +176,7 @@ Report report_of(const RunPage& run, Language language) {
   report.touches = touches_of(run, geometries, writers, names);
   report.listings = listings_of(run, names);
   add_listings_of_errors(run.result.outcome.diagnostics, names, run.sources, report.listings);
-  report.variables = variables_of(run);
+  report.variables = variables_of(run, writers);
   report.has_printouts = true;
   report.printouts = printouts_of(run, names);
   report.inputs = inputs_of(run, language);

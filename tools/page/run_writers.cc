@@ -39,27 +39,10 @@ bool reads_touch(std::string_view block) {
 
 }  // namespace
 
-std::string comment_of(std::string_view line) {
-  const std::size_t open = line.rfind('(');
-  const std::size_t close = line.rfind(')');
-  const std::size_t semicolon = line.find(';');
-  // A semicolon between brackets is of a comment of the other language.
-  const bool is_inside = open < semicolon && line.find(')', open) > semicolon;
-  std::string_view text;
-  if (semicolon != std::string_view::npos && !is_inside) {
-    text = line.substr(semicolon + 1);
-  } else if (open != std::string_view::npos && close != std::string_view::npos && close > open &&
-             line.find_first_not_of(" \t\r", close + 1) == std::string_view::npos) {
-    text = line.substr(open + 1, close - open - 1);
-  }
-  const std::size_t first = text.find_first_not_of(" \t");
-  const std::size_t last = text.find_last_not_of(" \t\r");
-  return first == std::string_view::npos
-             ? std::string()
-             : source::readable_text(text.substr(first, last - first + 1));
-}
-
 Writers::Writers(const RunPage& run) : run_(run) {
+  if (const auto control = session::control_named(run.result.control)) {
+    comments_ = session::comment_form(control.value());
+  }
   for (const report::CallSpan& call : run.result.chronicle->calls()) {
     if (call.level == 1) {
       calls_.push_back(&call);
@@ -69,7 +52,12 @@ Writers::Writers(const RunPage& run) : run_(run) {
 
 std::string Writers::meaning_of(const std::string& variable) const {
   const report::VariableHistory* const history = find(variable);
-  return history == nullptr ? "" : comment_of(run_.sources.show(history->last_write).text);
+  return history == nullptr ? "" : meaning_of(*history);
+}
+
+std::string Writers::meaning_of(const report::VariableHistory& history) const {
+  const source::ShownPlace place = run_.sources.show(history.last_write);
+  return source::readable_text(session::last_comment(place.text, comments_));
 }
 
 std::vector<std::size_t> Writers::touches_of(const std::string& variable) const {

@@ -4,16 +4,12 @@
 #include <cstdint>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tools/page/run_report.h"
+#include "tools/session/message_comments.h"
 
 namespace g31::page {
-
-/// The comment of a line, (DIAMETER) or ; diameter: what the variable is that it assigns.
-/// @returns UTF-8; "": none
-std::string comment_of(std::string_view line);
 
 /// Names and touches of what variables came to, by what wrote them last.
 class Writers {
@@ -21,6 +17,10 @@ class Writers {
   /// @param run  outlives it
   explicit Writers(const RunPage& run);
 
+  /// What the program says of a variable: the comment, (DIAMETER) or ; diameter, of the line that
+  /// wrote it last.
+  /// @returns UTF-8; "": nothing
+  [[nodiscard]] std::string meaning_of(const report::VariableHistory& history) const;
   [[nodiscard]] std::string meaning_of(const std::string& variable) const;
   /// Numbers of the touches that the last value of the variable rests on, rising: those in the call
   /// of the main program that it was written in; of one that the main program wrote itself those of
@@ -46,6 +46,7 @@ class Writers {
   void add_last_touch(double time_s, Found& found) const;
 
   const RunPage& run_;
+  session::CommentForm comments_ = session::CommentForm::Parentheses;
   std::vector<const report::CallSpan*> calls_;  ///< of the main program, one after the other
 };
 

@@ -173,6 +173,13 @@ CommentForm comment_form(const Control& control) {
                                                        : CommentForm::Semicolon;
 }
 
+std::string_view last_comment(std::string_view line, CommentForm form) {
+  const std::vector<Comment> comments = split(line, form).comments;
+  const bool is_last = !comments.empty() &&
+                       trimmed(line.substr(comments.back().begin + comments.back().length)).empty();
+  return is_last ? trimmed(comments.back().text) : std::string_view();
+}
+
 bool has_message_comment_mark(std::string_view piece) {
   constexpr std::size_t kLength = kMessageCommentMark.size();
   for (std::size_t colon = piece.find(':'); colon != std::string_view::npos;

@@ -18,6 +18,9 @@ enum class CommentForm : std::uint8_t {
 
 CommentForm comment_form(const Control& control);
 
+/// The comment that a line ends in, without what marks it and blanks about it; "": none.
+std::string_view last_comment(std::string_view line, CommentForm form);
+
 /// A comment that says which message nobody wants to hear: `(g31: allow PRB301 reason)` of a run,
 /// `(g31: disable=NC003 reason)` of `g31 check`.
 struct MessageComment {
