@@ -126,6 +126,21 @@ TEST_F(Plan, FindsTheErrorsOfAMachinedPartAndNothingElse) {
     EXPECT_EQ(row.at("verdict"), is_wrong ? "bad" : "good") << row;
     EXPECT_NEAR(row.at("deviation"), is_wrong ? error->second : 0.0, 1e-3) << row;
   }
+  const std::string page = text_of(out("plan.html"));
+  for (const char* const piece :
+       {"<div class=\"verdict bad\">", "As machined, F3.Z, F4.X.place, F6.X are not good.",
+        "F6.X of the part as machined is +50.0 µm off", "of the part as machined</span>",
+        "of the part as drawn; every skip move"}) {
+    EXPECT_NE(page.find(piece), page.npos) << piece;
+  }
+}
+
+TEST_F(Plan, ItsPageHasItsDocument) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
+  const std::string page = text_of(out("plan.html"));
+  const std::string mark = "id=\"g31-document\">";
+  const std::size_t begin = page.find(mark) + mark.size();
+  EXPECT_EQ(json::parse(page.substr(begin, page.find("</script>", begin) - begin)), document());
 }
 
 TEST_F(Plan, ItsProgramPrintsOverALineToWhoJudges) {

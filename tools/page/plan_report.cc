@@ -5,6 +5,7 @@
 #include "tools/page/html.h"
 #include "tools/page/other_reports.h"
 #include "tools/page/said.h"
+#include "tools/plan/plan_document.h"
 #include "tools/plan/plan_drawing.h"
 
 namespace g31::page {
@@ -148,6 +149,52 @@ std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
   return rows;
 }
 
+/// What of the part as machined is not good: the page says it first.
+void add_as_machined(const plan::PlannedPart& planned, Report& report) {
+  const Language language = report.language;
+  const plan::Judgement& judged = *planned.as_machined;
+  report.verdict.sentence += " " + said(language, Word::SaysAsMachined,
+                                        fmt::arg("good", count(judged, plan::Verdict::Good)),
+                                        fmt::arg("all", judged.measures.size()));
+  report.results_of = text_of(Word::AsMachined, language);
+  report.motion_of = text_of(Word::AsDrawn, language);
+  constexpr std::size_t kMostNamed = 3;
+  std::string names;
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < judged.measures.size(); ++i) {
+    if (judged.measures[i].verdict == plan::Verdict::Good) {
+      continue;
+    }
+    const Characteristic& row = report.results[i];
+    const bool is_bad = judged.measures[i].verdict == plan::Verdict::Bad;
+    report.findings.push_back(
+        {source::Severity::Error,
+         "",
+         is_bad ? said(language, Word::SaysMachinedBad, fmt::arg("name", row.name),
+                       fmt::arg("deviation", difference_text(row, deviation_of(row))),
+                       fmt::arg("lower", difference_text(row, row.tolerance->lower)),
+                       fmt::arg("upper", difference_text(row, row.tolerance->upper)))
+                : said(language, Word::SaysMachinedMissing, fmt::arg("name", row.name)),
+         {}});
+    names += ++out > kMostNamed ? "" : (names.empty() ? "" : ", ") + row.name;
+  }
+  if (out == 0) {
+    return;
+  }
+  report.verdict.sign = Sign::Bad;
+  report.verdict.state = text_of(Word::StateOut, language);
+  report.verdict.headline =
+      said(language, out == 1 ? Word::SaysMachinedOut : Word::SaysMachinedSeveralOut,
+           fmt::arg("names", out > kMostNamed ? fmt::format("{} … ({})", names, out) : names));
+}
+
+/// The document of the page is the plan; figures are of the run that proved it.
+void take_document(const std::string& document, Report& report) {
+  report.figures.pop_back();
+  report.figures += ",\"run\":" + report.document + "}";
+  report.document = document;
+}
+
 }  // namespace
 
 void add_plan(const plan::PlannedPart& planned, const std::string& command, Report& report) {
@@ -167,14 +214,12 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
     report.verdict.sign = Sign::Bad;
     report.verdict.state = text_of(Word::StateOut, language);
   }
-  if (planned.as_machined) {
-    const std::size_t all = planned.as_machined->measures.size();
-    const std::size_t good = count(*planned.as_machined, plan::Verdict::Good);
-    report.verdict.sentence +=
-        " " + said(language, Word::SaysAsMachined, fmt::arg("good", good), fmt::arg("all", all));
-  }
   report.command = command;
   report.results = characteristics(planned, numbers_of_touches(report));
+  if (planned.as_machined) {
+    add_as_machined(planned, report);
+  }
+  take_document(plan::plan_document(planned), report);
   report.drawings.push_back({planned.product, drawing_of(planned, language), ""});
   report.tables.push_back(features_table(planned, language));
   report.tables.push_back(points_table(planned, language));

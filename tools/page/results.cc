@@ -204,22 +204,39 @@ std::string row_of(const Report& report, const Characteristic& row) {
                                                         ? std::optional(*row.measured - *row.other)
                                                         : std::nullopt));
   }
-  html +=
-      cell(Word::Touches, touches.empty() ? R"(<span class="mut">–</span>)" : touches, "touched");
+  html += cell(Word::Touches,
+               touches.empty() ? R"(<span class="mut">–</span>)"
+                               : fmt::format(R"(<div class="many" tabindex="0">{}</div>)", touches),
+               "touched");
   return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
+}
+
+/// A run that was asked for none: people and programs that look for them find why.
+std::string no_results(const Report& report) {
+  return fmt::format(
+      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{}</h2></header><div class="tw"><table id="results"><tbody><tr><td class="wrapcell mut">{}</td></tr></tbody></table></div></section>
+)html",
+      word(report, Word::Results), word(report, Word::NoResults));
+}
+
+/// Behind a heading: of which part.
+std::string of_which(const std::string& what) {
+  return what.empty() ? std::string()
+                      : fmt::format(R"(<span class="sub">{}</span>)", escaped(what));
 }
 
 }  // namespace
 
 std::string results_part(const Report& report) {
   if (report.results.empty()) {
-    return {};
+    const bool are_elsewhere = std::ranges::any_of(report.tables, &Table::is_results);
+    return are_elsewhere ? std::string() : no_results(report);
   }
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span>{2}</span></header><div class="tw" tabindex="0" role="region" aria-label="{3}"><table id="results" class="judged"><thead><tr>)html",
+      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2>{4}<span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span>{2}</span></header><div class="tw" tabindex="0" role="region" aria-label="{3}"><table id="results" class="judged"><thead><tr>)html",
       say(Word::Results), say(Word::Measured), true_size_key(report),
-      table_label(report, say(Word::Results)));
+      table_label(report, say(Word::Results)), of_which(report.results_of));
   std::vector<std::pair<Word, std::string_view>> heads = {
       {Word::Characteristic, ""}, {Word::Nominal, "n"},     {Word::Tolerance, "n"},
       {Word::Measured, "n"},      {Word::Unit, ""},         {Word::Deviation, "n"},

@@ -36,8 +36,8 @@ void add_fault(const runtime::FaultEvent& fault, Language language, Ending& endi
   const auto fact = [&](Word name, std::string value) {
     ending.facts.emplace_back(text_of(name, language), std::move(value));
   };
-  fact(Word::MachineCoordinates, place_text(fault.q_M_at));
-  fact(Word::WorkCoordinates, place_text(fault.view.q_L));
+  fact(Word::InMachineCoordinates, place_text(fault.q_M_at));
+  fact(Word::InWorkCoordinates, place_text(fault.view.q_L));
   if (fault.contact) {
     const Point& p = fault.contact->p_M_point;
     fact(Word::Part, fault.contact->part);
@@ -46,7 +46,7 @@ void add_fault(const runtime::FaultEvent& fault, Language language, Ending& endi
   }
   if (fault.move) {
     fact(Word::Commanded, place_text(fault.move->q_M_to));
-    fact(Word::Feed, fault.move->feed_mm_min > 0.0 ? number(fault.move->feed_mm_min, 0)
+    fact(Word::Feed, fault.move->feed_mm_min > 0.0 ? number(fault.move->feed_mm_min, 0) + " mm/min"
                                                    : std::string(text_of(Word::Rapid, language)));
   }
 }

@@ -49,11 +49,10 @@ Result<PageAssets, std::string> read_assets() {
 
 std::string page_of(const Report& report, const PageAssets& assets) {
   std::string html = head_of(report, assets);
-  const bool has_results = !report.results.empty();
-  html += fmt::format(R"(<body><a class="skip" href="#{}">{}</a>
+  html += fmt::format(R"(<body><a class="skip" href="#results">{}</a>
 <div class="wrap" id="main">
 )",
-                      has_results ? "results" : "summary", word(report, Word::SkipToResults));
+                      word(report, Word::SkipToResults));
   html += bar_of(report);
   html += "<main>\n" + summary_part(report) + ending_part(report) + results_part(report);
   html += motion_part(report) + drawings_part(report) + touches_part(report);
