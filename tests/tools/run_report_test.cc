@@ -130,6 +130,7 @@ TEST_F(Report, OfAStudySaysWhichSetUpItSpeaksOf) {
   ASSERT_EQ(output_.exit_code, 0) << output_.errors;
   const std::string page = text_in(path());
   EXPECT_TRUE(has(page, R"(<table id="results">)"));
+  EXPECT_TRUE(has(page, folder_.path("a.nc") + "</code>")) << "the program decides, too";
   EXPECT_TRUE(has(page, "double, variables.#500 = 3: mean 6"))
       << page.substr(0, page.find("<main>"));
 }
@@ -321,9 +322,33 @@ TEST_F(Report, ASemicolonInAFanucCommentIsOfTheComment) {
   EXPECT_TRUE(has(page, R"(class="name">WIDTH; HEIGHT <)")) << page;
 }
 
+// Brackets of a SINUMERIK program are code: only what stands behind ; is a comment, and not in a
+// text.
+TEST_F(Report, TakesMeaningsFromWhatIsACommentOfTheDialect) {
+  const std::string program =
+      folder_.write("part.mpf",
+                    "DEF STRING[9] S\nR1=3\nR2=4\nR4=SIN(30)*MAXVAL(R1,R2)\nR5=(R1+R2) ; ROOM (X)\n"
+                    "S=\"A;B\"\nM30\n");
+  output_ = g31({"run", program, "--report", path(), "--print", "R4,R5"});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  const std::string page = text_in(path());
+  EXPECT_TRUE(has(page, R"(<code>R4</code></th><td class="wrapcell" lang=""></td>)")) << page;
+  EXPECT_TRUE(has(page, R"(<code>R5</code></th><td class="wrapcell" lang="">ROOM (X)</td>)"));
+  EXPECT_FALSE(has(page, R"(lang="">B&quot;)"));
+}
+
+TEST_F(Report, HasItsResultsWhereThereAreNone) {
+  const std::string page = page_of("O8\n#501=1\nM30\n");
+  EXPECT_TRUE(has(page, R"(<table id="results">)"));
+  EXPECT_TRUE(has(page, R"(<a class="skip" href="#results">)"));
+  EXPECT_TRUE(has(page_of("O8\nG65 P2 D3O.\nM30\n"), R"(<table id="results">)")) << "nothing ran";
+}
+
 TEST_F(Report, TellsWhereACollisionWas) {
-  const std::string page = page_of("O9\nG90 G0 X30. Y0.\nG0 Z100.\nM30\n");
+  const std::string page = page_of("O9\nG90 G0 X30. Y0.\nG1 Z100. F800.\nM30\n");
   EXPECT_EQ(output_.exit_code, 4) << output_.errors;
+  EXPECT_TRUE(has(page, "<code>Machine coordinates</code>"));
+  EXPECT_TRUE(has(page, R"(<code>Feed</code></th><td class="n">800 mm/min</td>)"));
   EXPECT_TRUE(has(page, R"(<section id="alarm")"));
   EXPECT_TRUE(has(page, "part.nc:3"));
   EXPECT_TRUE(has(page, " err\">"));
@@ -486,13 +511,16 @@ TEST(ReportOptions, ThatChangeARunAreInTheCommandThatRepeatsIt) {
                  folder.path("t.csv"),
                  "--trace-period",
                  "4ms",
+                 "--moves",
+                 "--touches",
+                 "--blocks",
                  "--changes"})
                 .exit_code,
             0);
   EXPECT_NE(text_in(page).find("--fail-on error --max-blocks 100 --max-time 7 --max-output 1000000 "
                                "--printer-wait 5 --trace " +
                                folder.path("t.csv") +
-                               " --trace-period 4ms --changes "
+                               " --trace-period 4ms --moves --touches --blocks --changes "
                                "--report " +
                                page + " --lang ja"),
             std::string::npos);

@@ -122,6 +122,11 @@ Wrong make_report(const EvaluateOptions& options, const evaluate::Evaluation& ev
     command.add(row.option, file_given(options, row.id));
   }
   command.add("--magnify", options.magnify);
+  command.add("--json", options.json);
+  if (options.has_curves) {
+    command.add("--curves");
+  }
+  command.add("--svg", options.svg);
   const EvaluateOptions usual;
   if (options.max_time_s != usual.max_time_s) {
     command.add("--max-time", fmt::format("{}", options.max_time_s));

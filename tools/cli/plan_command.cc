@@ -127,6 +127,7 @@ std::string command_of(const PlanOptions& options) {
   if (options.by_points) {
     command.add("--point-by-point");
   }
+  command.add("--json", options.json);
   command.add("--lang", language_given(options.language));
   return command.line();
 }

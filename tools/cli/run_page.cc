@@ -47,8 +47,13 @@ void add_outputs(const RunOptions& options, ShownCommand& command) {
   command.add("--readings", options.readings);
   command.add("--json", options.json);
   command.add("--jsonl", options.jsonl);
-  if (options.changes) {
-    command.add("--changes");
+  for (const auto& [flag, is_given] : {std::pair("--moves", options.moves),
+                                       {"--touches", options.touches},
+                                       {"--blocks", options.blocks},
+                                       {"--changes", options.changes}}) {
+    if (is_given) {
+      command.add(flag);
+    }
   }
 }
 

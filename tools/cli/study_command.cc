@@ -49,6 +49,7 @@ using session::Refusal;
 struct MadeStudy {
   study::Record record;
   std::vector<std::string> drawings = {};
+  std::vector<std::string> files = {};  ///< that decide what comes of it
 };
 using Made = Result<MadeStudy, Refusal>;
 
@@ -150,6 +151,7 @@ Made run_study(const StudyOptions& options) {
             study::first_run_of({shard->index + 1, shard->of}, span.end)};
   }
   MadeStudy made{{runs.description(), shard, {}}};
+  made.files = runs.files();
   if (!options.svg.empty()) {
     made.drawings.resize(span.end - span.begin);
   }
@@ -212,7 +214,8 @@ ExitCode worst_of(const study::Record& record) {
   return static_cast<ExitCode>(worst);
 }
 
-std::optional<Refusal> report_study(const StudyOptions& options, const study::Record& record) {
+std::optional<Refusal> report_study(const StudyOptions& options, const MadeStudy& made) {
+  const study::Record& record = made.record;
   ShownCommand command("g31 study");
   if (!options.study.empty()) {
     command.add(options.study);
@@ -221,6 +224,8 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   command.add("--repeats", options.repeats ? fmt::format("{}", *options.repeats) : "");
   command.add("--seed", options.seed ? fmt::format("{}", *options.seed) : "");
   command.add("--shard", options.shard);
+  command.add("--json", options.json);
+  command.add("--csv", options.csv);
   command.add("--svg", options.svg);
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
@@ -228,6 +233,7 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   if (!options.study.empty()) {
     inputs.push_back(options.study);
   }
+  inputs.insert(inputs.end(), made.files.begin(), made.files.end());
   const page::PageOrigin origin{options.version, command.line(), page_inputs(inputs),
                                 options.language, static_cast<int>(worst_of(record))};
   return write_page(options.report, page::report_of(record, study::record_json(record), origin));
@@ -256,7 +262,7 @@ std::optional<Refusal> deliver(const StudyOptions& options, const MadeStudy& mad
     wrong = write_out(options.csv, study::record_csv(record));
   }
   if (!wrong && !options.report.empty()) {
-    wrong = report_study(options, record);
+    wrong = report_study(options, made);
   }
   if (!wrong && options.json != "-" && options.csv != "-" && options.svg != "-" && !record.shard) {
     wrong = write_out("-", study::record_table(record));
