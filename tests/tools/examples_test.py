@@ -72,7 +72,7 @@ class Examples(unittest.TestCase):
         program.write_text(program.read_text().replace("#10=0\n", "#10=[0\n"))
         run = self.call(".", "pipeline/pipeline.sh", "fanuc", GITHUB_ACTIONS="true")
         self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
-        self.assertRegex(run.stdout, r"::error file=(\./)?O9814\.nc,line=7,.*::")
+        self.assertRegex(run.stdout, r"::error file=fanuc/O9814\.nc,line=7,.*::")
 
     def test_a_part_that_is_not_right_fails_the_job(self):
         sheet = self.root / "sinumerik" / "flange.toml"
