@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,13 +16,17 @@ std::string Progress::text(std::size_t done, double elapsed_s) const {
   if (total_ == 0) {
     return fmt::format("{}, {:.0f} s", what_, elapsed_s);
   }
-  constexpr std::size_t kBarWidth = 40;
   const std::size_t shown = std::min(done, total_);
   const double part = static_cast<double>(shown) / static_cast<double>(total_);
+  const std::string said = fmt::format("{} of {} {}, {:.0f} s left", shown, total_, what_,
+                                       std::ceil(elapsed_s * (1.0 - part) / part));
+  constexpr std::size_t kBarWidth = 40;
+  if (kBarWidth + said.size() + std::string_view("[] ").size() >= terminal_width()) {
+    return said;
+  }
   const auto filled = static_cast<std::size_t>(part * static_cast<double>(kBarWidth));
   const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-  return fmt::format("[{}] {} of {} {}, {:.0f} s left", bar, shown, total_, what_,
-                     std::ceil(elapsed_s * (1.0 - part) / part));
+  return fmt::format("[{}] {}", bar, said);
 }
 
 void Progress::one_done() {

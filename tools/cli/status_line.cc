@@ -1,14 +1,25 @@
 #include "tools/cli/status_line.h"
 
 #include <cstdio>
+#include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "machine/base/utf_8.h"
 
 namespace g31::cli {
 
 bool shows_progress(bool quiet) {
   return !quiet && ::isatty(STDERR_FILENO) == 1;
+}
+
+std::size_t terminal_width() {
+  winsize size = {};
+  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
 }
 
 void StatusLine::show(const std::function<std::string(double elapsed_s)>& text) {
@@ -23,7 +34,10 @@ void StatusLine::show(const std::function<std::string(double elapsed_s)>& text) 
   next_line_ = now + kBetweenLines;
   has_line_ = true;
   const double elapsed_s = std::chrono::duration<double>(now - begin_).count();
-  std::fputs(fmt::format("\r{}\033[K", text(elapsed_s)).c_str(), stderr);
+  // A letter in the last column would move some terminals on to the next line.
+  const std::string said = text(elapsed_s);
+  const std::size_t fits = bytes_of_characters(said, terminal_width() - 1);
+  std::fputs(fmt::format("\r{}\033[K", std::string_view(said).substr(0, fits)).c_str(), stderr);
   std::fflush(stderr);
 }
 

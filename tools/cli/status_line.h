@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -9,6 +10,10 @@ namespace g31::cli {
 
 /// Whether people see how far work is: standard error is a terminal, and nobody wants silence.
 bool shows_progress(bool quiet);
+
+/// How many letters a line of the terminal has that standard error is; any number where nobody
+/// knows.
+std::size_t terminal_width();
 
 /// One line on a terminal that says what goes on, once that has taken a second; elsewhere nothing.
 class StatusLine {
@@ -19,7 +24,8 @@ class StatusLine {
   StatusLine& operator=(const StatusLine&) = delete;
   ~StatusLine() { clear(); }
 
-  /// From any thread.
+  /// From any thread.  A text that the terminal has no room for is cut: what goes on in its next
+  /// line would stay there.
   /// @param text  asked for where it is time for another line, with the seconds since the beginning
   void show(const std::function<std::string(double elapsed_s)>& text);
 
