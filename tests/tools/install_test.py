@@ -184,6 +184,11 @@ class InstalledTree(unittest.TestCase):
         self.assertEqual(self.complete("g31", "run", "--cont"), {"--control"})
         self.assertEqual(self.complete("g31", "run", "--control", ""), set(self.about["controls"]))
         self.assertEqual(self.complete("g31", "check", "--format", "j"), {"json"})
+        # As bash gives words where = breaks them, behind the sign and within the value; and where it does not.
+        self.assertEqual(self.complete("g31", "check", "--format", "="), {"text", "json", "sarif", "github"})
+        self.assertEqual(self.complete("g31", "check", "--format", "=", "j"), {"json"})
+        self.assertEqual(self.complete("g31", "check", "--format=j"), {"--format=json"})
+        self.assertEqual(self.complete("g31", "manual", ""), set(self.about["commands"]))
         self.assertEqual(self.complete("g31", "evaluate", "c"), {"circle", "cylindricity"})
         self.assertEqual(self.complete("g31", "evaluate", "circle", "share/g31/macros/fanuc/O600"),
                          {f"share/g31/macros/fanuc/O600{n}.nc" for n in (1, 2, 3)})
@@ -206,6 +211,7 @@ class InstalledTree(unittest.TestCase):
                 for script in scripts:
                     self.assertRegex(script, rf"{option}\b|-l {option[2:]}\b")
             self.assertIn("EXIT STATUS", page)
+            self.assertNotIn("Examples:", page)
 
     def test_the_pages_of_the_manual_have_no_fault_and_the_date_of_the_package(self):
         pages = sorted((self.root / "share/man/man1").glob("*.1"))

@@ -3,6 +3,7 @@
 
 Usage: manners_test.py G31
 """
+import fcntl
 import json
 import os
 import pathlib
@@ -10,9 +11,11 @@ import pty
 import resource
 import shlex
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
 import time
 import unittest
 
@@ -230,12 +233,86 @@ class Manners(unittest.TestCase):
 
     def test_what_is_no_number_is_in_no_range(self):
         for words in (("plan", str(PRODUCT), "--stock", "box", "-o", "out", "--tolerance"),
-                      ("judge", "plan.json", "results.txt", "--wait"), ("study", "a.toml", "--seed")):
+                      ("judge", "plan.json", "results.txt", "--wait")):
             for number in ("nan", "-nan", "NaN"):
                 run = self.g31(*words[:-1], f"{words[-1]}={number}")
                 self.assertEqual((run.returncode, run.stdout), (2, ""), f"{words}: {run.stderr}")
                 self.assertIn(f"{words[-1]}: Value {number} not in range", run.stderr)
         self.assertFalse((self.folder / "out").exists())
+
+    def test_a_seed_is_a_whole_number(self):
+        for words in (("run", "a.nc"), ("study", "a.toml")):
+            for number in ("1.5", "1e3", "-1", "nan"):
+                run = self.g31(*words, f"--seed={number}")
+                self.assertEqual(run.returncode, 2, run.stderr)
+                self.assertIn(f"--seed: {number} is not a whole number of 0 or more", run.stderr)
+
+    def test_every_message_about_words_begins_alike(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        for words in (("run",), ("run", "a.nc", "--lang", "de", "--report", "a.html"), ("run", "a.nc", "--seed", "x"),
+                      ("study", "a.toml", "--threads", "0"), ("run", "a.nc", "--no-such"), ("no-such",), ("completion", "csh"),
+                      ("check", "a.nc", "--fail-on", "never"), ("--json",)):
+            run = self.g31(*words)
+            self.assertEqual((run.returncode, run.stdout), (2, ""), words)
+            self.assertTrue(run.stderr.startswith("g31: error: "), run.stderr)
+
+    def test_no_message_advises_to_write_over_a_program(self):
+        (self.folder / "a.nc").write_text(RUNS)
+        run = self.g31("check", "a.nc", "--baseline", "a.nc")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("a.nc is no document g31.check/1: g31 check FILE... --json known.json writes one", run.stderr)
+
+    def test_each_command_names_the_codes_that_it_can_end_with(self):
+        def codes(command):
+            tail = self.g31(*command, "--help").stdout.split("Exit codes:\n")[1]
+            return {int(line.split()[0]) for line in tail.splitlines() if line}
+        (self.folder / "a.nc").write_text(RUNS)
+        (self.folder / "alarm.nc").write_text("O1\n#3000=1(STOP)\nM30\n")
+        (self.folder / "wrong.nc").write_text(WRONG)
+        (self.folder / "a.csv").write_text("t,X,Y\n" + "".join(f"{n},{n},1\n" for n in range(5)))
+        for words, code in ((("run", "a.nc"), 0), (("run", "alarm.nc"), 3), (("run", "a.nc", "--control", "x"), 5),
+                            (("run", "a.nc", "--max-blocks", "1"), 6), (("scene", "alarm.nc", "-o", "a.svg"), 3),
+                            (("explain", "G31"), 0), (("explain", "no_such_word"), 2), (("explain", "G31", "--control", "x"), 5),
+                            (("check", "a.nc"), 0), (("check", "wrong.nc"), 1), (("check", "no.nc"), 2),
+                            (("check", "a.nc", "--control", "x"), 5), (("new", "a.nc"), 2), (("new", "b", "--control", "x"), 5),
+                            (("evaluate", "speed", "no.csv"), 2), (("evaluate", "speed", "a.csv", "--max-output", "10"), 6),
+                            (("judge", "no.json", "a.nc"), 2), (("completion", "bash"), 0), (("manual", "x"), 2),
+                            (("view", "a.nc", "--port", "0", "--no-such"), 2), (("setup", "no.toml"), 2)):
+            run = self.g31(*words)
+            self.assertEqual(run.returncode, code, f"{words}: {run.stderr}")
+            self.assertIn(code, codes(words[:1]), words)
+        everything = codes(())
+        self.assertEqual(everything, codes(("run",)))
+        for command, never in (("explain", {1, 3, 4, 6, 130}), ("check", {3, 4, 6, 130}), ("completion", {1, 3, 4, 5, 6, 130}),
+                               ("manual", {1, 3, 4, 5, 6, 130}), ("view", {130}), ("evaluate", {3, 4})):
+            self.assertEqual(codes((command,)) & never, set(), command)
+
+    def test_progress_stays_in_one_line_of_a_narrow_terminal(self):
+        (self.folder / "a.nc").write_text("O1\n#1=0\nWHILE[#1LT3000]DO1\n#1=#1+1\nEND1\n#501=#1\nM30\n")
+        (self.folder / "s.toml").write_text(
+            '[study]\nprogram = "a.nc"\nrepeats = 400\n[results.one]\nvalue = "#501"\n')
+        for columns, bar in ((40, False), (120, True)):
+            ours, theirs = pty.openpty()
+            fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 20, columns, 0, 0))
+            work = subprocess.Popen([G31, "study", "s.toml", "--repeats", "100000", "--threads", "1"], cwd=self.folder,
+                                    stdout=subprocess.DEVNULL, stderr=theirs)
+            os.close(theirs)
+            shown = b""
+            while shown.count(b"\r") < 4:
+                shown += os.read(ours, 4096)
+            work.send_signal(signal.SIGINT)
+            try:
+                while os.read(ours, 4096):
+                    pass
+            except OSError:
+                pass  # the other side is closed
+            work.wait(timeout=60)
+            os.close(ours)
+            for line in shown.split(b"\r")[1:-1]:
+                text = line.replace(b"\x1b[K", b"").decode()
+                self.assertLess(len(text), columns, text)
+                self.assertEqual(text.startswith("["), bar, text)
+                self.assertIn(" of 100000 runs, ", text)
 
     def test_what_explain_and_help_cannot_write_is_told(self):
         for words in (("explain", "ring"), ("--help",), ("run", "--help"), ("--version",)):

@@ -33,8 +33,8 @@ Result<Baseline, std::string> Baseline::read(const std::string& name, std::strin
   const bool has_findings =
       document.is_object() && document.contains("findings") && document.at("findings").is_array();
   if (schema == nullptr || *schema != "g31.check/1" || !has_findings) {
-    return fmt::format("{} is no document g31.check/1: g31 check FILE... --json {} writes one",
-                       name, name);
+    return fmt::format(
+        "{} is no document g31.check/1: g31 check FILE... --json known.json writes one", name);
   }
   Baseline baseline;
   std::size_t number = 0;

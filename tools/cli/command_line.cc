@@ -52,9 +52,9 @@
 
 namespace g31::cli {
 
-std::string exit_code_help() {
-  std::string text = "Exit codes:\n";
-  for (const auto& row : exit_codes()) {
+std::string exit_code_help(std::string_view command) {
+  std::string text(kExitCodesHead);
+  for (const ExitCodeRow& row : exit_codes_of(command)) {
     text += fmt::format("  {:2}  {}\n", static_cast<int>(row.code), row.text);
   }
   return text;
@@ -97,7 +97,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& options, const std::st
   std::vector<Command> commands;
   const auto add = [&](bool lasts, std::string_view schema, CLI::App* words,
                        const std::string& examples, std::function<ExitCode()> run) {
-    words->footer(examples + exit_code_help());
+    words->footer(examples + exit_code_help(words->get_name()));
     add_quiet_option(*words, options.is_quiet);
     commands.push_back({words, lasts, schema, std::move(run)});
   };
@@ -221,7 +221,10 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   options.evaluate.version = options.plan.version = options.check.version = version;
   add_version(app, options);
   const std::vector<Command> commands = add_commands(app, options, version);
-  app.footer(exit_code_help());
+  app.footer(exit_code_help(""));
+  app.failure_message([](const CLI::App* asked, const CLI::Error& error) {
+    return "g31: error: " + CLI::FailureMessage::simple(asked, error);
+  });
   const std::vector<std::string> words =
       without_help_word(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {

@@ -78,7 +78,11 @@ std::string bash_command(const CommandWords& command) {
       const std::string reply = bash_reply(option);
       text += fmt::format(
           "        {}) {}return ;;\n", fmt::join(option.names, "|"),
-          reply.empty() ? "" : fmt::format("mapfile -t COMPREPLY < <(compgen {}); ", reply));
+          reply.empty()
+              ? ""
+              : fmt::format(
+                    R"(mapfile -t COMPREPLY < <(compgen {}); COMPREPLY=("${{COMPREPLY[@]/#/$head}}"); )",
+                    reply));
     }
   }
   text +=
@@ -97,8 +101,16 @@ std::string bash_script(const ProgramWords& words) {
   return fmt::format(R"(# bash completion of {0}; made by: {0} completion bash
 _{0}() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command='' options='' i
-  local places=()
+  local places=() head=''
   COMPREPLY=()
+  # Of --option=value bash makes three words where = breaks words, else one.
+  if [[ $word == = ]]; then
+    word=''
+  elif [[ $before == = ]]; then
+    before=${{COMP_WORDS[COMP_CWORD-2]}}
+  elif [[ $word == --*=* ]]; then
+    head=${{word%%=*}}= before=${{word%%=*}} word=${{word#*=}}
+  fi
   for ((i = 1; i < COMP_CWORD; i++)); do
     if [[ ${{COMP_WORDS[i]}} != -* ]]; then
       command=${{COMP_WORDS[i]}}

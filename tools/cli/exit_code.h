@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "tools/session/ending.h"
 
@@ -11,7 +12,6 @@ namespace g31::cli {
 enum class ExitCode {
 #define EXIT_CODE(name, code, text) name = (code),
 #include "tools/cli/exit_codes.def"
-#undef EXIT_CODE
 };
 
 struct ExitCodeRow {
@@ -20,6 +20,10 @@ struct ExitCodeRow {
 };
 
 std::span<const ExitCodeRow> exit_codes();
+
+/// Those that a command can end with.
+/// @param command  "": any of them
+std::vector<ExitCodeRow> exit_codes_of(std::string_view command);
 
 /// What a run that came to this returns to the shell.
 ExitCode exit_code_of(session::Ending ending);

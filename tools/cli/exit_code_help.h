@@ -1,10 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace g31::cli {
 
-/// The last part of each --help: every exit code and what it says.
-std::string exit_code_help();
+/// What the last part of each --help begins with.
+inline constexpr std::string_view kExitCodesHead = "Exit codes:\n";
+
+/// That part: the exit codes that a command can end with, and what they say.
+/// @param command  "": any of them
+std::string exit_code_help(std::string_view command);
 
 }  // namespace g31::cli

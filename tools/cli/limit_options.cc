@@ -19,6 +19,11 @@ std::string why_no_time(const std::string& text) {
   return fits && seconds > 0.0 ? "" : fmt::format("{} is not a number of seconds above 0", text);
 }
 
+std::string why_no_count(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : fmt::format("{} is not a whole number of 0 or more", text);
+}
+
 std::string why_no_word(const std::string& text) {
   return text.empty() ? "the word is empty" : "";
 }

@@ -13,6 +13,10 @@ namespace g31::cli {
 /// Of a text that is to be a number of seconds above 0: what is wrong with it; empty: nothing.
 std::string why_no_time(const std::string& text);
 
+/// Of a text that is to be a whole number of 0 or more: the same.  CLI11 takes -1 for the largest
+/// number there is.
+std::string why_no_count(const std::string& text);
+
 /// Of the word of an option: what is wrong with it where it is empty, as a variable of a shell that
 /// is not set leaves it; empty: nothing.
 std::string why_no_word(const std::string& text);

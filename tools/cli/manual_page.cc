@@ -110,12 +110,31 @@ std::string as_it_is(const std::string& text) {
   return body.empty() ? body : ".nf\n" + body + ".fi\n";
 }
 
-std::string exit_status() {
+/// @param command  "": any of them
+std::string exit_status(std::string_view command) {
   std::string text;
-  for (const ExitCodeRow& row : exit_codes()) {
+  for (const ExitCodeRow& row : exit_codes_of(command)) {
     text += fmt::format(".TP\n.B {}\n{}", static_cast<int>(row.code), line(row.text));
   }
   return text;
+}
+
+/// What --help says behind the options: a page has a section of its own for examples.
+struct Notes {
+  std::string examples;  ///< without their heading
+  std::string rest;
+};
+
+Notes split(const std::string& text) {
+  constexpr std::string_view kHead = "Examples:\n";
+  const std::size_t head = text.find(kHead);
+  if (head == std::string::npos) {
+    return {"", text};
+  }
+  const std::size_t begin = head + kHead.size();
+  const std::size_t end = std::min(text.find("\n\n", begin), text.size());
+  const std::size_t behind = std::min(text.find_first_not_of('\n', end), text.size());
+  return {text.substr(begin, end - begin), text.substr(0, head) + text.substr(behind)};
 }
 
 std::string synopsis(const std::string& call, const CommandWords& command) {
@@ -141,7 +160,7 @@ std::string program_page(const ProgramWords& words) {
   return heading(words, name, words.program.text) +
          section("SYNOPSIS", fmt::format(".B {}\n\\fIcommand\\fR [\\fIoptions\\fR]\n", name)) +
          section("COMMANDS", commands) + section("OPTIONS", options(words.program.options)) +
-         section("EXIT STATUS", exit_status()) + section("SEE ALSO", others + "\n");
+         section("EXIT STATUS", exit_status("")) + section("SEE ALSO", others + "\n");
 }
 
 }  // namespace
@@ -153,11 +172,12 @@ std::string manual_page(const ProgramWords& words, std::string_view command) {
   const auto row = std::ranges::find(words.commands, command, &CommandWords::name);
   G31_EXPECTS(row != words.commands.end());
   const std::string& name = words.program.name;
+  const Notes notes = split(row->notes);
   return heading(words, fmt::format("{}-{}", name, row->name), row->text) +
          section("SYNOPSIS", synopsis(fmt::format("{} {}", name, row->name), *row)) +
          section("DESCRIPTION", line(row->text)) + section("ARGUMENTS", options(row->places)) +
-         section("OPTIONS", options(row->options)) + section("EXAMPLES", as_it_is(row->notes)) +
-         section("EXIT STATUS", exit_status()) +
+         section("OPTIONS", options(row->options)) + section("EXAMPLES", as_it_is(notes.examples)) +
+         section("NOTES", as_it_is(notes.rest)) + section("EXIT STATUS", exit_status(row->name)) +
          section("SEE ALSO", fmt::format(".BR {} (1)\n", name));
 }
 

@@ -103,8 +103,24 @@ CommandWords words_of(const CLI::App& app) {
     }
   }
   const std::string footer = app.get_footer();
-  command.notes = footer.substr(0, footer.find(exit_code_help()));
+  command.notes = footer.substr(0, footer.find(kExitCodesHead));
   return command;
+}
+
+/// What the place of a command may be: known once all of them are.
+void name_commands(ProgramWords& words) {
+  std::vector<std::string> names;
+  for (const CommandWords& command : words.commands) {
+    names.push_back(command.name);
+  }
+  for (CommandWords& command : words.commands) {
+    for (OptionWords& place : command.places) {
+      if (place.names.front() == "COMMAND") {
+        place.kind = ValueKind::Choice;
+        place.choices = names;
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -117,6 +133,7 @@ ProgramWords read_command_words(const CLI::App& app, const std::string& version)
       words.commands.push_back(words_of(*command));
     }
   }
+  name_commands(words);
   return words;
 }
 

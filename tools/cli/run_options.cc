@@ -15,12 +15,6 @@
 namespace g31::cli {
 namespace {
 
-/// CLI11 takes -1 for the largest number there is.
-std::string why_no_count(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : fmt::format("{} is not a whole number of 0 or more", text);
-}
-
 /// Empty: a warning or note of g31 has this code.
 std::string why_not_allowed(const std::string& code) {
   const auto row = std::ranges::find(source::diagnostics(), code, &source::DiagnosticInfo::code);

@@ -38,6 +38,7 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       ->check(CLI::Range(1, 10000000));
   study->add_option("--seed", options.seed, "in the place of the study's own seed")
       ->type_name("N")
+      ->check(why_no_count)
       ->check(number_range(0.0, 9007199254740992.0));
   study->add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
       ->type_name("i/n")
