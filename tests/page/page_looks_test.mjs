@@ -81,7 +81,7 @@ test('what is chosen is seen where the system forces its colours', async () => {
   await page.emulateMedia({ forcedColors: 'active' });
   const grounds = (/** @type {string} */ one) => page.evaluate((css) => getComputedStyle(document.querySelector(css)).backgroundColor, one);
   for (const [chosen, other] of [['#planhead [aria-pressed=true]', '#planhead [aria-pressed=false]'], ['#ltabs [aria-pressed=true]', '#ltabs [aria-pressed=false]'],
-    ['[data-view=section]', '[data-view=iso]'], ['.scene-labels .badge.sel', '.scene-labels .badge:not(.sel)'], ['tr.sel .badge', 'tr:not(.sel) .badge']]) {
+    ['[data-view=section]', '[data-view=iso]'], ['.scene-labels .badge.sel', '.scene-labels .badge:not(.sel)'], ['tr.sel td', 'tr[data-touch]:not(.sel) td']]) {
     assert.notEqual(await grounds(chosen), await grounds(other), chosen);
   }
   await close();
