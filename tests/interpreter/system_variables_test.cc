@@ -67,6 +67,7 @@ TEST(SystemVariables, ShowWhatTheProgramDid) {
       {"a rotary offset is not", "fanuc-16i", "#5224=30\nG20\n#100=#5224", "#100", 30},
       {"the inch bit of the settings", "fanuc-16i", "G20\n#100=#3005", "#100", 4},
       {"the settings choose the unit", "fanuc-16i", "#3005=4\n#100=#4006", "#100", 20},
+      {"G20 is setting 9 of a Haas", "haas", "G20\n#100=#20009", "#100", 0},
       {"the parts counter counts", "fanuc-16i", "#3901=5\n#3901=#3901+1", "#3901", 6},
       {"D as it was given", "fanuc-16i", "D3", "#4107", 3},
       {"E and F have their own numbers", "fanuc-16i", "F250.", "#4109", 250},

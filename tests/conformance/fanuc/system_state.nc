@@ -464,3 +464,105 @@ M30
 %
 (EXPECT ALARM 3091 AT 4)
 (EXPECT MESSAGE "NO CONTACT")
+
+(CASE INI: with parameter 0.2 the control starts in inches)
+(SOURCE Fanuc 0i-MD parameter manual, No. 0: INI, unit of input, 1 in inches)
+(PARAMETER 0.2 = 1)
+%
+O1
+#100=#4006
+#101=#3005
+G90 G54 G00 X1.
+G21
+#102=#5021
+#103=#3005
+M30
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = 4)
+(EXPECT #102 = 25.4)
+(EXPECT #103 = 0)
+
+(CASE a Brother without G20 and G21, too)
+(CONTROL brother)
+(PARAMETER 0.2 = 1)
+%
+O1
+#100=#4006
+#5221=1.
+G90 G54 G00 X0
+#101=#5021
+M30
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = 1)
+
+(CASE G10 L52 writes parameter 0, and with it the unit)
+(CONTROL fanuc-30i)
+%
+O1
+G10 L52
+N0 R00000100
+G11
+#100=#4006
+#101=PRM[0,2]
+G10 L52
+N0 R00000000
+G11
+#102=#4006
+M30
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = 1)
+(EXPECT #102 = 21)
+
+(CASE G10 L50 without N knows no parameter)
+(CONTROL fanuc-30i)
+%
+O1
+G10 L50
+R00000100
+G11
+M30
+%
+(EXPECT ALARM 1144 AT 5)
+
+(CASE of a Haas setting 9 is the unit that the control starts in)
+(CONTROL haas)
+(SET #20009 = 0)
+(SET #14001 = 1)
+%
+O1
+#100=#4006
+#101=#20009
+#102=#6009
+G90 G154 P1 G00 X0.
+G21
+#103=#5021
+#104=#20009
+M30
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = 0)
+(EXPECT #102 = 0)
+(EXPECT #103 = 25.4)
+(EXPECT #104 = 1)
+
+(CASE of a Haas setting 9 agrees with the unit where only parameter 0.2 says it)
+(CONTROL haas)
+(PARAMETER 0.2 = 1)
+%
+O1
+#100=#20009
+M30
+%
+(EXPECT #100 = 0)
+
+(CASE of a Haas setting 9 is millimetres where nothing says so)
+(CONTROL haas)
+%
+O1
+#100=#20009
+M30
+%
+(EXPECT #100 = 1)

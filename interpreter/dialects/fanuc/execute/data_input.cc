@@ -34,7 +34,7 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
   }
   const EvaluatedWord* const r = words.find('R');
   const EvaluatedWord* const p = words.find('P');
-  if (words.sequence() <= 0 || r == nullptr) {
+  if (words.sequence() < 0 || r == nullptr) {
     return block_failure(AlarmId::DataInputFormat,
                          r == nullptr ? "R is missing" : "N is missing: the parameter's number");
   }

@@ -131,6 +131,35 @@ void take_centre_settings(Control& control) {
   }
 }
 
+/// Whether the variable is the unit that lengths in others are in.
+bool is_unit(const Control& control, std::optional<int> variable) {
+  const SystemVariable* const row = variable ? control.system_variables.find(*variable) : nullptr;
+  return row != nullptr && row->shows == Shows::UnitSetting;
+}
+
+void preset_variables(Control& control, const runtime::ControlSetup& setup,
+                      std::vector<runtime::RefusedSetting>& refused) {
+  const auto preset = [&control](std::optional<int> number, std::optional<double> value) {
+    return number && !control.all_variables.preset(*number, value ? Cell(*value) : Cell());
+  };
+  for (const auto& [name, value] : setup.variables) {
+    if (const auto number = variable_in_name(name); is_unit(control, number)) {
+      preset(number, value);
+    }
+  }
+  for (const auto& [name, value] : setup.variables) {
+    const auto number = variable_in_name(name);
+    if (number && is_local(*number) && setup.kept_variables.contains(name)) {
+      refused.push_back(
+          {"variables." + name,
+           fmt::format("variable {}: a local variable, which no control keeps", name)});
+    } else if (!preset(number, value)) {
+      refused.push_back(
+          {"variables." + name, fmt::format("variable {}: cannot be set on this control", name)});
+    }
+  }
+}
+
 /// Those that g31 does not have, or that change nothing.
 void tell_unknown_parameters(Control& control, const runtime::ControlSetup& setup) {
   for (const auto& [name, value] : setup.parameters) {
@@ -192,18 +221,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
                        "rotate_deg, fine, scale and mirror of a work offset are of SINUMERIK"});
   }
   configure_calls(control, setup, refused);
-  for (const auto& [name, value] : setup.variables) {
-    const auto number = variable_in_name(name);
-    const Cell cell = value ? Cell(*value) : Cell();
-    if (number && is_local(*number) && setup.kept_variables.contains(name)) {
-      refused.push_back(
-          {"variables." + name,
-           fmt::format("variable {}: a local variable, which no control keeps", name)});
-    } else if (!number || control.all_variables.preset(*number, cell).has_value()) {
-      refused.push_back(
-          {"variables." + name, fmt::format("variable {}: cannot be set on this control", name)});
-    }
-  }
+  preset_variables(control, setup, refused);
   take_centre_settings(control);
   return refused;
 }

@@ -184,6 +184,10 @@ void Control::apply(const Parameters& given) {
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
                     nearest_integer(parameters.get(ParameterId::LastProtected)));
   choose_system_variables();
+  const bool is_inch = parameters.is_on(ParameterId::InchInput);
+  if (is_inch != (scale.unit == LengthUnit::Inch)) {
+    set_unit(is_inch ? LengthUnit::Inch : LengthUnit::Millimetre);
+  }
   const BelievedMachine believed = believed_machine(parameters, sheet_kinematics_);
   if (believed.chain != coordinates.kinematics() ||
       believed.tool_at_rest.matrix() != coordinates.tool_at_rest().matrix()) {
@@ -238,6 +242,7 @@ void Control::choose_system_variables() {
 void Control::set_unit(LengthUnit unit) {
   modal.group[Group::Unit] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
   scale.unit = unit;
+  parameters.switch_to(ParameterId::InchInput, unit == LengthUnit::Inch);
 }
 
 }  // namespace g31::fanuc

@@ -125,7 +125,7 @@ struct Control : ControlState {
   }
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
   void set_offset_memory(OffsetMemory memory);
-  /// G20, G21
+  /// G20, G21, and parameter 0.2, which says the same.
   void set_unit(LengthUnit unit);
 
   /// Where the axes stand, in machine coordinates; a block that waits in cutter compensation counts

@@ -58,6 +58,8 @@ ReadResult read_override(Control& control, const Place& place);
 WriteResult write_override(Control& control, const Place& place, Cell value);
 ReadResult read_settings(Control& control, const Place& place);
 WriteResult write_settings(Control& control, const Place& place, Cell value);
+ReadResult read_unit(Control& control, const Place& place);
+WriteResult write_unit(Control& control, const Place& place, Cell value);
 ReadResult read_mirror(Control& control, const Place& place);
 WriteResult write_mirror(Control& control, const Place& place, Cell value);
 ReadResult read_restart(Control& control, const Place& place);

@@ -11,7 +11,8 @@ constexpr std::int32_t kNameOfParameter = 100000;
 constexpr std::int32_t kAxisOfParameter = 100002;
 
 // Of a Haas.
-constexpr std::int32_t kFirstParameterAlias = 6501;
+constexpr std::int32_t kLastBeforeSettings = 6000;
+constexpr std::int32_t kLastBeforeParameters = 6500;
 constexpr std::int32_t kChosenParameter = 6996;
 constexpr std::int32_t kChosenBit = 6997;
 constexpr std::int32_t kChosenTool = 8550;
@@ -29,9 +30,9 @@ double datum(const Control& control, std::int32_t number) {
 
 /// #6001 is setting 1, #20001; #6501 is parameter 1, #30001.
 std::int32_t aliased(const Place& place) {
-  const std::int32_t table =
-      place.row.first == kFirstParameterAlias ? kTableOfParameters : kTableOfSettings;
-  return table + place.index() + 1;
+  return place.number > kLastBeforeParameters
+             ? kTableOfParameters + place.number - kLastBeforeParameters
+             : kTableOfSettings + place.number - kLastBeforeSettings;
 }
 
 }  // namespace

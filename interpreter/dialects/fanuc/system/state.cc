@@ -18,9 +18,9 @@ struct Setting {
 };
 constexpr Setting kSettings[] = {{0, ParameterId::VerticalParity},
                                  {1, ParameterId::IsoCode},
+                                 {2, ParameterId::InchInput},
                                  {5, ParameterId::SequenceInsertion},
                                  {9, ParameterId::TapeFormat}};
-constexpr int kInchBit = 1 << 2;
 
 constexpr std::int32_t kAliasesOfThousand = 1000;  // #10100 and #100100 are #100
 
@@ -69,20 +69,31 @@ WriteResult write_override(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_settings(Control& control, const Place&) {
-  int settings = control.scale.unit == LengthUnit::Inch ? kInchBit : 0;
+  int settings = 0;
   for (const Setting& setting : kSettings) {
     settings |= control.parameters.is_on(setting.parameter) ? 1 << setting.bit : 0;
   }
   return Cell(settings);
 }
 
-/// The unit in force is G20 or G21, so the inch bit sets them, too.
 WriteResult write_settings(Control& control, const Place&, Cell value) {
   const int settings = nearest_integer(value.or_zero());
+  Parameters parameters = control.parameters;
   for (const Setting& setting : kSettings) {
-    control.parameters.switch_to(setting.parameter, (settings >> setting.bit & 1) != 0);
+    parameters.switch_to(setting.parameter, (settings >> setting.bit & 1) != 0);
   }
-  control.set_unit((settings & kInchBit) != 0 ? LengthUnit::Inch : LengthUnit::Millimetre);
+  control.apply(parameters);
+  return std::nullopt;
+}
+
+/// Setting 9 of a Haas.  Published probing suites for it ask #20009 EQ 0 for inches and EQ 1 for
+/// millimetres.
+ReadResult read_unit(Control& control, const Place&) {
+  return Cell(control.scale.unit == LengthUnit::Inch ? 0.0 : 1.0);
+}
+
+WriteResult write_unit(Control& control, const Place&, Cell value) {
+  control.set_unit(value.or_zero() == 0.0 ? LengthUnit::Inch : LengthUnit::Millimetre);
   return std::nullopt;
 }
 

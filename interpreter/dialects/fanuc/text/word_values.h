@@ -44,9 +44,9 @@ class BlockWords {
   void clear() {
     words_.clear();
     present_ = 0;
-    sequence_ = 0;
+    sequence_ = -1;
   }
-  /// N of the block; 0: it has none.
+  /// N of the block; -1: it has none.
   void set_sequence(int number) { sequence_ = number; }
   [[nodiscard]] int sequence() const { return sequence_; }
   void add(const EvaluatedWord& word) {
@@ -80,7 +80,7 @@ class BlockWords {
   std::vector<EvaluatedWord> words_;
   std::array<std::uint16_t, syntax::kLetterCount> last_{};
   std::uint32_t present_ = 0;
-  int sequence_ = 0;
+  int sequence_ = -1;
 };
 
 /// How the control reads the number of a word: least increment, decimal point, unit in force.
