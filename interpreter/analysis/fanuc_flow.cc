@@ -103,7 +103,7 @@ void FanucTranslation::step(Index index) {
     stop(fault_of(static_cast<AlarmId>(error.error), error.where, error.message));
   } else if (step.kind == BlockKind::Nc) {
     nc_words(block);
-    add_moves(program_, block, profile_.own_g_codes, builder_);
+    add_moves(program_, block, profile_, builder_);
   } else if (step.kind == BlockKind::Assign) {
     stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
   }
@@ -241,10 +241,9 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
 
 /// A code that a run refuses or passes over, and the control does not.
 void FanucTranslation::add_unsimulated(const Word& code) {
-  const fanuc::GCode* const row = fanuc::find_g_code(code.number, profile_.own_g_codes);
-  const bool is_there = row != nullptr && fanuc::has_g_code(profile_, *row);
-  const bool ends_run = is_there && row->action == fanuc::GAction::Refused;
-  if (ends_run || (is_there && fanuc::is_passed_over(row->action))) {
+  const fanuc::GCode* const row = fanuc::find_g_code(code.number, profile_);
+  const bool ends_run = row != nullptr && row->action == fanuc::GAction::Refused;
+  if (ends_run || (row != nullptr && fanuc::is_passed_over(row->action))) {
     const int alarm =
         ends_run ? fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers) : 0;
     builder_.fault({Fault::Kind::NotSimulated, alarm, code.span,

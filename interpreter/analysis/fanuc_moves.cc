@@ -28,6 +28,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::CheckReference:
     case GAction::ToReference:
     case GAction::FromReference:
+    case GAction::ToolReplacement:
       return Move::Kind::Reference;
     case GAction::CannedCycle:
       return Move::Kind::Cycle;
@@ -73,7 +74,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
 }  // namespace
 
 void add_moves(const fanuc::CompiledProgram& program, const syntax::Block& block,
-               fanuc::CodeSet own, FlowBuilder& builder) {
+               const fanuc::Profile& profile, FlowBuilder& builder) {
   Move::Kind kind = Move::Kind::AsBefore;
   std::vector<AxisTarget> targets;
   for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
@@ -84,7 +85,7 @@ void add_moves(const fanuc::CompiledProgram& program, const syntax::Block& block
       continue;
     }
     const fanuc::GCode* const code =
-        word.letter == 'G' && !is_computed ? fanuc::find_g_code(word.number, own) : nullptr;
+        word.letter == 'G' && !is_computed ? fanuc::find_g_code(word.number, profile) : nullptr;
     const bool calls = code != nullptr && code->action == GAction::MacroCall;
     if (word.letter == 'G' && (code == nullptr || calls || fanuc::takes_axis_words(code->action))) {
       return;  // what an unknown code does with axis words is for others to say

@@ -7,8 +7,7 @@ namespace g31::analysis {
 
 /// Adds the motion that the words of an NC block command, if they do.  Axis letters of a macro call
 /// are arguments, those beside G10, G04, G92 and the like data.
-/// @param own  codes that the control has beside those of the family
 void add_moves(const fanuc::CompiledProgram& program, const syntax::Block& block,
-               fanuc::CodeSet own, FlowBuilder& builder);
+               const fanuc::Profile& profile, FlowBuilder& builder);
 
 }  // namespace g31::analysis

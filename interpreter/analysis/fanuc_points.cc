@@ -93,8 +93,7 @@ class Reader {
 };
 
 bool has_inches(const fanuc::Profile& profile) {
-  const fanuc::GCode* const inches = fanuc::find_g_code(20.0, profile.own_g_codes);
-  return inches != nullptr && fanuc::has_g_code(profile, *inches);
+  return fanuc::find_g_code(20.0, profile) != nullptr;
 }
 
 /// "0.01 (under G20 0.001)"

@@ -33,10 +33,6 @@ struct CodesOfBlock {
   bool is_open = false;   ///< what they do says the sheet, or the state before
 };
 
-bool has_code(const fanuc::Profile& profile, const GCode* code) {
-  return code != nullptr && fanuc::has_g_code(profile, *code);
-}
-
 bool is_g(const EvaluatedWord& word, double code) {
   return word.letter == 'G' && word.number == code;
 }
@@ -46,8 +42,8 @@ bool is_macro_call(const EvaluatedWord& word) {
 }
 
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
-  const GCode* const code = fanuc::find_g_code(word.number, profile.own_g_codes);
-  const bool is_known = has_code(profile, code);
+  const GCode* const code = fanuc::find_g_code(word.number, profile);
+  const bool is_known = code != nullptr;
   const bool is_common = is_known && code->set == fanuc::CodeSet::Family;
   // The sheet makes whole numbers call macros, also in the place of a maker's own code.
   // One that g31 has not may be an option of the real control.

@@ -105,6 +105,10 @@ void Compiler::step(Index block_index) {
       break;
     case BlockKind::Assign:
       assign(block, step);
+      if (block.is_bare && !profile_.has_bare_message) {
+        mark_bad(step, AlarmId::ExpressionFormat, block.span,
+                 "a number is expected behind =, for example #3006=1(TEXT)");
+      }
       break;
     case BlockKind::IfGoto:
       step.condition = expressions_.condition(block.condition);

@@ -74,6 +74,7 @@ constexpr ActionRow kActions[] = {
     {GAction::MeasureWork, execute_work_measurement},
     {GAction::MeasureCentre, execute_work_measurement},
     {GAction::StrokeCheck, execute_stroke_check},
+    {GAction::ToolReplacement, execute_tool_replacement},
     {GAction::Unsimulated, execute_nothing},
 };
 

@@ -14,6 +14,9 @@
 namespace g31::fanuc {
 namespace {
 
+constexpr int kToolChange = 6;
+constexpr GNumber kToolReplacement{100, 0};
+
 void end_canned_cycle(Control& control) {
   control.modal.group[Group::CannedCycle] = {80, 0};
 }
@@ -113,8 +116,8 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
     return at_word(AlarmId::MixedStatement, word,
                    fmt::format("G{} together with another call", word.number));
   }
-  const GCode* const code = find_g_code(word.number, control.profile.own_g_codes);
-  if (code == nullptr || !has_g_code(control.profile, *code)) {
+  const GCode* const code = find_g_code(word.number, control.profile);
+  if (code == nullptr) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
   }
@@ -160,7 +163,7 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
 }
 
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
-MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, const Codes& codes) {
+MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, Codes& codes) {
   const auto refused = [&word] { return at_word(wrong_plain_word(word), word); };
   switch (word.letter) {  // outside it whether a number fits would be asked by letter again
     case 'F':
@@ -183,6 +186,9 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, const 
       }
       const int number = nearest_integer(word.number);
       control.modal.word(word.letter) = number;
+      if (word.letter == 'M' && number == kToolChange && control.profile.replaces_tools) {
+        codes.one_shot = find_g_code(kToolReplacement, control.profile);
+      }
       return refuse_long(control, word, number);
     }
     default:
@@ -191,16 +197,16 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, const 
 }
 
 /// The group of a G word; 0: none, or one that has effect in its block only.
-int group_of(const EvaluatedWord& word, CodeSet own) {
-  const GCode* const code = find_g_code(word.number, own);
+int group_of(const EvaluatedWord& word, const Profile& profile) {
+  const GCode* const code = find_g_code(word.number, profile);
   return code != nullptr ? static_cast<int>(code->group) : 0;
 }
 
 /// An address twice, or two G codes of one group (MB-014); several M are no repeat.
-MaybeFailure refuse_repeats(const BlockWords& words, CodeSet own) {
+MaybeFailure refuse_repeats(const BlockWords& words, const Profile& profile) {
   std::set<int> seen;
   for (const EvaluatedWord& word : words.all()) {
-    const int group = word.letter == 'G' ? group_of(word, own) : -word.letter;
+    const int group = word.letter == 'G' ? group_of(word, profile) : -word.letter;
     if (word.letter != 'M' && group != 0 && !seen.insert(group).second) {
       return at_word(AlarmId::AddressTwice, word, fmt::format("{} appears twice", word.letter));
     }
@@ -251,10 +257,10 @@ double counted_feed(const Control& control, const EvaluatedWord& word) {
   return word.number / (inch ? per_mm * 100.0 : per_mm);
 }
 
-bool commands_motion(const BlockWords& words, CodeSet own) {
+bool commands_motion(const BlockWords& words, const Profile& profile) {
   bool has_axis = false;
   for (const EvaluatedWord& word : words.all()) {
-    const GCode* const code = word.letter == 'G' ? find_g_code(word.number, own) : nullptr;
+    const GCode* const code = word.letter == 'G' ? find_g_code(word.number, profile) : nullptr;
     if (code != nullptr && takes_axis_words(code->action)) {
       return false;
     }
@@ -277,7 +283,7 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
 
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
-    if (auto failure = refuse_repeats(words, control.profile.own_g_codes)) {
+    if (auto failure = refuse_repeats(words, control.profile)) {
       return *std::move(failure);
     }
   }

@@ -28,7 +28,7 @@ inline double written_feed(const Control& control, const EvaluatedWord& word) {
 
 /// Whether the block moves axes, or would if they were not there already: axis words that no code
 /// takes for something else (MB-203).
-bool commands_motion(const BlockWords& words, CodeSet own);
+bool commands_motion(const BlockWords& words, const Profile& profile);
 
 /// Modal codes, feed, S T M and the like of a block: everything that the rest of it builds on.
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words);

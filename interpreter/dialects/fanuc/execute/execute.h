@@ -10,6 +10,8 @@ namespace g31::fanuc {
 
 struct Codes;
 
+inline constexpr int kToolAxis = 2;  ///< Z: the spindle of a vertical machining centre
+
 /// One NC block at work: its words and the G codes found in them.
 struct NcBlock {
   const BlockWords& words;
@@ -55,6 +57,8 @@ MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block);  // 
 MaybeFailure execute_table_offset(Control& control, const NcBlock& block);   // offsets.cc
 MaybeFailure execute_setting_error(Control& control, const NcBlock& block);  // offsets.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
+MaybeFailure execute_tool_replacement(Control& control,
+                                      const NcBlock& block);  // tool_replacement.cc
 
 /// M75 of a Haas, at the end of its block (measure_work.cc).
 void keep_marked_point(Control& control, const BlockWords& words);
@@ -62,6 +66,8 @@ void keep_marked_point(Control& control, const BlockWords& words);
 /// What M, S and T have the machine do: the spindle, the tool, the codes for its own logic
 /// (machine_codes.cc).
 void command_machine(Control& control, const BlockWords& words);
+/// The tool that T called comes, with the offset of its own number (machine_codes.cc).
+void change_tool(Control& control);
 
 /// A block between G10 L50 or L3 and G11 (data_input.cc).
 MaybeFailure execute_data_block(Control& control, const BlockWords& words);

@@ -10,7 +10,7 @@ namespace {
 constexpr int kClockwise = 3;
 constexpr int kCounterclockwise = 4;
 constexpr int kStop = 5;
-constexpr int kToolChange = 6;
+constexpr int kChange = 6;
 constexpr int kOrientation = 19;
 constexpr std::int32_t kToolInSpindle = 3026;  // the variable that shows it on a Haas
 
@@ -50,7 +50,35 @@ void orient(Control& control, const BlockWords& words) {
       {machine::Rotation::Stopped, 0.0, angle != nullptr ? angle->number : 0.0});
 }
 
-/// M6: the tool that T called comes, with the offset of its own number.
+void command(Control& control, const BlockWords& words, int code) {
+  switch (code) {
+    case kClockwise:
+      turn(control, machine::Rotation::Clockwise);
+      break;
+    case kCounterclockwise:
+      turn(control, machine::Rotation::Counterclockwise);
+      break;
+    case kStop:
+      turn(control, machine::Rotation::Stopped);
+      break;
+    case kChange:
+      if (!control.profile.replaces_tools) {
+        change_tool(control);
+      }
+      break;
+    case kOrientation:
+      orient(control, words);
+      break;
+    default:
+      break;
+  }
+  record_code(control, code);
+  control.port.auxiliary_code({code});
+  control.inputs.hear(code, control.now());
+}
+
+}  // namespace
+
 void change_tool(Control& control) {
   if (!control.called_tool) {
     control.warn_once(source::DiagnosticId::ChangeWithoutTool, control.block);
@@ -66,33 +94,6 @@ void change_tool(Control& control) {
     control.warn_once(source::DiagnosticId::StartInside, control.block, *inside);
   }
 }
-
-void command(Control& control, const BlockWords& words, int code) {
-  switch (code) {
-    case kClockwise:
-      turn(control, machine::Rotation::Clockwise);
-      break;
-    case kCounterclockwise:
-      turn(control, machine::Rotation::Counterclockwise);
-      break;
-    case kStop:
-      turn(control, machine::Rotation::Stopped);
-      break;
-    case kToolChange:
-      change_tool(control);
-      break;
-    case kOrientation:
-      orient(control, words);
-      break;
-    default:
-      break;
-  }
-  record_code(control, code);
-  control.port.auxiliary_code({code});
-  control.inputs.hear(code, control.now());
-}
-
-}  // namespace
 
 void command_machine(Control& control, const BlockWords& words) {
   if (const EvaluatedWord* const tool = words.find('T')) {

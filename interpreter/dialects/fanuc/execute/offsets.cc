@@ -9,8 +9,6 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kToolAxis = 2;  // Z: the spindle of a vertical machining centre
-
 /// Whether a length acts along another linear axis than this one.
 bool acts_elsewhere(const AxisPositions& q_offset, int axis) {
   AxisPositions q_others = q_offset;

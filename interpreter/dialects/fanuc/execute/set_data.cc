@@ -112,8 +112,7 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   }
   constexpr int kTableOffset = 21;
   constexpr GNumber kTableOffsetCode{54, 2};
-  const GCode* const code = find_g_code(kTableOffsetCode, control.profile.own_g_codes);
-  if (l.value() == kTableOffset && has_g_code(control.profile, *code)) {
+  if (l.value() == kTableOffset && find_g_code(kTableOffsetCode, control.profile) != nullptr) {
     return set_table_offset(control, block);
   }
   const OffsetForm* const form = find_offset_form(l.value(), control.offsets.memory());

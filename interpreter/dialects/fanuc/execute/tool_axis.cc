@@ -135,7 +135,7 @@ MaybeFailure select_tip_control(Control& control) {
   const GNumber code = control.modal.group[Group::ToolLength];
   Coordinates& coordinates = control.coordinates;
   TipSystem system = TipSystem::None;
-  if (find_g_code(code, control.profile.own_g_codes)->action == GAction::TipControl) {
+  if (find_g_code(code, control.profile)->action == GAction::TipControl) {
     system = control.parameters.is_on(ParameterId::TipInWorkSystem) ? TipSystem::Workpiece
                                                                     : TipSystem::OnTable;
   }

@@ -133,9 +133,8 @@ Entries codes(std::string_view topic, const Profile& profile) {
     return {};
   }
   if (topic.front() == 'G') {
-    const GCode* const code = find_g_code(*number, profile.own_g_codes);
-    const bool has = code != nullptr && has_g_code(profile, *code);
-    return has ? Entries{entry_of(*code, profile)} : Entries{};
+    const GCode* const code = find_g_code(*number, profile);
+    return code != nullptr ? Entries{entry_of(*code, profile)} : Entries{};
   }
   const auto row =
       std::ranges::find_if(kMCodes, [&](const ProgramMCode& m) { return m.number == *number; });
@@ -207,8 +206,9 @@ std::vector<std::string> topic_names() {
     names.emplace_back(row.name);
   }
   for (const GCode& code : g_codes()) {
-    if (std::ranges::find(names, to_text(code.number)) == names.end()) {
-      names.push_back(to_text(code.number));
+    std::string name = to_text(code.number);
+    if (names.back() != name) {  // of several sets
+      names.push_back(std::move(name));
     }
   }
   for (const ProgramMCode& code : kMCodes) {

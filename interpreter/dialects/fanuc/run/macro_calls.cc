@@ -141,7 +141,7 @@ MaybeFailure MacroCalls::cancel_modal(const EvaluatedWord& code) {
 }
 
 MaybeFailure MacroCalls::modal_call() {
-  if (!commands_motion(words_, control_.profile.own_g_codes) || levels_.stack().has_ended()) {
+  if (!commands_motion(words_, control_.profile) || levels_.stack().has_ended()) {
     return std::nullopt;
   }
   const std::shared_ptr<ModalCall> call = frame().modal_calls.back();

@@ -36,6 +36,11 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
   if (p == nullptr && q == nullptr) {
     return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
   }
+  if (p != nullptr && q != nullptr && !control_.profile.starts_in_called) {
+    return at_word(AlarmId::CallWithoutProgram, *q,
+                   fmt::format("M{0} takes P, a program, or {1}, a block of this one, not both",
+                               m.number, q->letter));
+  }
   if (p == nullptr) {
     if (auto failure = jumps_.keep_whole(frame())) {
       return *std::move(failure);

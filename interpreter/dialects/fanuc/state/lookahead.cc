@@ -82,6 +82,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::CannedCycle:
     case GAction::CycleOff:
     case GAction::SurfaceSpeed:
+    case GAction::ToolReplacement:
     case GAction::Unsimulated:
     case GAction::Refused:
       return false;
@@ -95,7 +96,7 @@ BlockEffect effect_of(const BlockWords& words, const Profile& profile,
   for (const EvaluatedWord& word : words.all()) {
     bool fence = false;
     if (word.letter == 'G') {
-      const GCode* const code = find_g_code(word.number, profile.own_g_codes);
+      const GCode* const code = find_g_code(word.number, profile);
       fence = code != nullptr && is_fence(*code, profile);
     } else if (word.letter == 'M') {
       fence = is_fence(nearest_integer(word.number), parameters);

@@ -234,12 +234,26 @@ void Parser::assignment(Block& block) {
     return;
   }
   scanner_.forget_comment();
-  block.value = expressions_.expression();
+  block.value = is_bare_message(block) ? bare_message(block) : expressions_.expression();
   if (!failed()) {
     scanner_.peek();
     block.text = scanner_.last_comment();
     expect_end(block);
   }
+}
+
+/// `#3006=(TEXT)`, which some controls take.
+bool Parser::is_bare_message(const Block& block) {
+  constexpr double kMessageStop = 3006.0;
+  const syntax::Expr& target = tree_.exprs[block.target];
+  return scanner_.peek() == '\n' && target.kind == syntax::ExprKind::Variable &&
+         tree_.exprs[target.a].number == kMessageStop &&
+         scanner_.last_comment().end > scanner_.last_comment().begin;
+}
+
+syntax::Index Parser::bare_message(Block& block) {
+  block.is_bare = true;
+  return expressions_.add({});
 }
 
 void Parser::expect_end(Block& block) {

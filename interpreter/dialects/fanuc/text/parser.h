@@ -48,6 +48,8 @@ class Parser {
   void body(syntax::Block& block);
   void condition_alone(syntax::Block& block);
   void assignment(syntax::Block& block);
+  bool is_bare_message(const syntax::Block& block);
+  syntax::Index bare_message(syntax::Block& block);
   void words(syntax::Block& block);
   bool word();
   void word_value(syntax::Word& word);

@@ -26,27 +26,28 @@ consteval bool g_codes_rise() {
   for (std::size_t i = 1; i < kGCodeRows.size(); ++i) {
     const GCode& before = kGCodeRows[i - 1];
     const GCode& row = kGCodeRows[i];
-    const bool is_other = before.number == row.number && before.set < row.set;
-    if (key(before.number) >= key(row.number) && !is_other) {
+    if (row.number < before.number || (row.number == before.number && row.set <= before.set)) {
       return false;
     }
   }
   return true;
 }
-static_assert(g_codes_rise(), "g_codes.def: rows must rise");
+static_assert(g_codes_rise(), "g_codes.def: rows must rise, of one number by their set");
 
 constexpr std::size_t kKeys = 1000 * 10;
 using RowsByKey = std::array<std::uint8_t, kKeys>;
 
+constexpr std::size_t kSets = static_cast<std::size_t>(CodeSet::Brother) + 1;
+
 /// Row index + 1 by set and key: a million blocks look their codes up here.
 constexpr auto kIndex = [] {
-  std::array<RowsByKey, kCodeSets> index{};
+  std::array<std::array<std::uint8_t, kKeys>, kSets> index{};
   for (std::size_t i = 0; i < kGCodeRows.size(); ++i) {
-    const CodeSet set = kGCodeRows[i].set;
-    for (std::size_t own = 0; own < kCodeSets; ++own) {
-      // A row of the family stands before those of one set.
-      if (set == CodeSet::Family || set == static_cast<CodeSet>(own)) {
-        index[own][key(kGCodeRows[i].number)] = static_cast<std::uint8_t>(i + 1);
+    const GCode& row = kGCodeRows[i];
+    for (std::size_t set = 0; set < kSets; ++set) {
+      // Of one number the family's row comes first: that of the set takes its place.
+      if (row.set == CodeSet::Family || static_cast<std::size_t>(row.set) == set) {
+        index[set][key(row.number)] = static_cast<std::uint8_t>(i + 1);
       }
     }
   }
@@ -66,9 +67,9 @@ std::span<const GCode> g_codes() {
 }
 
 const GCode* find_g_code(GNumber number, CodeSet own) {
-  const RowsByKey& rows = kIndex[static_cast<std::size_t>(own)];
   const std::size_t place = key(number);
-  return place < kKeys && rows[place] != 0 ? &kGCodeRows[rows[place] - 1] : nullptr;
+  const auto& index = kIndex[static_cast<std::size_t>(own)];
+  return place < kKeys && index[place] != 0 ? &kGCodeRows[index[place] - 1] : nullptr;
 }
 
 const GCode* find_g_code(double value, CodeSet own) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -56,8 +56,9 @@ enum class GAction : std::uint8_t {
   CycleOff,
   StrokeCheck,
   SurfaceSpeed,
-  Unsimulated,  ///< one-shot: takes the words of its block, nothing happens
-  Refused,      ///< not simulated, and the way would be another one without it
+  ToolReplacement,  ///< changes the tool and goes to where it begins
+  Unsimulated,      ///< one-shot: takes the words of its block, nothing happens
+  Refused,          ///< not simulated, and the way would be another one without it
 };
 
 /// Whether a run tells that it passes over a code.
@@ -66,8 +67,7 @@ constexpr bool is_passed_over(GAction action) {
 }
 
 /// Which controls of the family have a G code.
-enum class CodeSet : std::uint8_t { Family, Meldas, Haas };
-inline constexpr std::size_t kCodeSets = 3;
+enum class CodeSet : std::uint8_t { Family, Meldas, Haas, Brother };
 
 /// Groups of modal codes; the value is n of #4000+n, which shows the code in force.
 enum class Group : std::uint8_t {
@@ -81,7 +81,7 @@ enum class Group : std::uint8_t {
 struct GNumber {
   std::int16_t whole = 0;
   std::int8_t tenth = 0;
-  friend bool operator==(GNumber, GNumber) = default;
+  friend auto operator<=>(GNumber, GNumber) = default;
   [[nodiscard]] double value() const { return whole + tenth / 10.0; }
 };
 
@@ -105,8 +105,8 @@ using GroupCodes = IndexedBy<Group, GNumber, kGroupCount>;
 /// All rows, rising.
 std::span<const GCode> g_codes();
 
-/// The row of a number on controls of a set, or nullptr: alarm 010.  A row of the set itself counts
-/// before that of the family.
+/// The row of a number for a control that has the codes of `own` beside and in the place of those
+/// of the family, or nullptr.
 const GCode* find_g_code(GNumber number, CodeSet own);
 /// That of a word's value; nullptr also when it is negative, too large or has more decimals.
 const GCode* find_g_code(double value, CodeSet own);

@@ -198,6 +198,16 @@ constexpr Profile brother() {
   profile.has_then = false;
   profile.loops = {4, 4};
   profile.missing_g_codes = kMissingOfBrother;
+  profile.own_g_codes = CodeSet::Brother;
+  // C00 NC programming manual eCOM3NCPR, 6.7: "tool replacement canned cycle (G100/M06)", G36 to
+  // G39, G120 to G129, G133, G134 and G177 to G189 by these names; M98Hxxxx looks for a sequence
+  // number.  Of P and H in one block it says nothing.
+  profile.replaces_tools = true;
+  profile.start_letter = 'H';
+  profile.starts_in_called = false;
+  // Published post processors for it write G4 P0.6 for 0.6 s, older ones P600, and #3006=(TEXT).
+  profile.dwell_point_is_seconds = true;
+  profile.has_bare_message = true;
   profile.calls = {4, 8, 8};
   profile.macro_alarm.base = 9000;
   profile.macro_alarm.largest = 999;
@@ -220,16 +230,36 @@ constexpr ModelProfile kModelProfiles[] = {{"0i-MD", fanuc_0i_d()},
                                            {"0i-D", fanuc_0i_d()},
                                            {"0i-F", fanuc_0i_f()}};
 
+const GCode* unless_missing(const GCode* code, const Profile& profile) {
+  const bool is_there =
+      code != nullptr && (code->set != CodeSet::Family ||
+                          !std::ranges::binary_search(profile.missing_g_codes, code->number));
+  return is_there ? code : nullptr;
+}
+
+consteval bool missing_codes_rise() {
+  return std::ranges::all_of(kProfiles, [](const Profile& profile) {
+    return std::ranges::is_sorted(profile.missing_g_codes);
+  });
+}
+static_assert(missing_codes_rise(), "missing_g_codes are searched as rising");
+
 }  // namespace
 
 std::span<const Profile> profiles() {
   return kProfiles;
 }
 
+const GCode* find_g_code(GNumber number, const Profile& profile) {
+  return unless_missing(find_g_code(number, profile.own_g_codes), profile);
+}
+
+const GCode* find_g_code(double value, const Profile& profile) {
+  return unless_missing(find_g_code(value, profile.own_g_codes), profile);
+}
+
 bool has_g_code(const Profile& profile, const GCode& code) {
-  const auto& missing = profile.missing_g_codes;
-  return code.set == CodeSet::Family ? std::ranges::find(missing, code.number) == missing.end()
-                                     : code.set == profile.own_g_codes;
+  return find_g_code(code.number, profile) == &code;
 }
 
 const Profile* find_profile(std::string_view name) {

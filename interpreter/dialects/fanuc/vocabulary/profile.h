@@ -144,7 +144,8 @@ struct Profile {
   NameRule names;                            ///< of common variables
   bool has_bare_expressions = false;         ///< X#1+10 without brackets (MB-332)
   bool has_symbol_logic = false;             ///< && and || between comparisons (MB-350)
-  std::span<const GNumber> missing_g_codes;  ///< of g_codes.def, those it has not (MB-370)
+  bool has_bare_message = false;             ///< #3006=(TEXT) without a number
+  std::span<const GNumber> missing_g_codes;  ///< of the family, those it has not, rising (MB-370)
   CodeSet own_g_codes = CodeSet::Family;     ///< beside those of the family
   bool joins_conditions = false;        ///< AND, OR, XOR join comparisons without parameter 6006.0
   bool conditions_are_numbers = false;  ///< IF [#1]: what is not 0 is true
@@ -159,7 +160,8 @@ struct Profile {
   /// E and F of a call without a point are counted as F is; else they are as written (MB-196).
   bool counts_feed_arguments = true;
   bool has_program_names = false;  ///< M98 <NAME>, G65 <NAME> beside P and a number (MB-002)
-  char start_letter = 'Q';         ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+  char start_letter = 'Q';       ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+  bool starts_in_called = true;  ///< with P it is a block of that program; else it goes without P
 
   bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
@@ -182,6 +184,8 @@ struct Profile {
   double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
   bool pecks_shrink = false;        ///< G73 and G83 take I J K in the place of Q
+
+  bool replaces_tools = false;  ///< M06 is the cycle of G100: it moves the axes, too
 
   // Tool length and the machine's own positions
   MachineMoveLength machine_move_length = MachineMoveLength::Cancels;
@@ -209,6 +213,9 @@ struct Profile {
   OutputRule output;
 };
 
+/// The row of g_codes.def that the control has for a number, or nullptr: alarm 010.
+const GCode* find_g_code(GNumber number, const Profile& profile);
+const GCode* find_g_code(double value, const Profile& profile);
 /// Whether the control has this row of g_codes.def.
 bool has_g_code(const Profile& profile, const GCode& code);
 
