@@ -19,7 +19,8 @@ WrongWord at_block(MaybeWrong wrong, syntax::ShortSpan whole) {
 }
 
 /// G10.  Of the memories of tool offsets the largest counts: which one it is says the sheet.
-WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole) {
+WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole,
+                     const fanuc::Profile& profile) {
   constexpr auto kMemory = runtime::OffsetMemory::C;
   if (words.is_open('L')) {
     return std::nullopt;
@@ -37,7 +38,7 @@ WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole) {
     return at_block(std::move(missing), whole);
   }
   return is_offset || fanuc::sets_work_offset(l)
-             ? words.integer('P', [l](int p) { return fanuc::wrong_data_number(l, p); })
+             ? words.integer('P', [&](int p) { return fanuc::wrong_data_number(l, p, profile); })
              : std::nullopt;
 }
 
@@ -124,7 +125,7 @@ WrongWord wrong_for_code(const fanuc::GCode& code, const KnownWords& words, synt
     return words.integer('P', [number](int p) { return fanuc::wrong_part_error(p, number); });
   }
   return action == GAction::Dwell                       ? wrong_pause(words, whole, profile)
-         : action == GAction::SetData                   ? wrong_data(words, whole)
+         : action == GAction::SetData                   ? wrong_data(words, whole, profile)
          : action == GAction::Skip && number.tenth == 0 ? wrong_skip_words(words, profile)
          : action == GAction::Scaling                   ? wrong_scaling(words, whole, profile)
                                                         : std::nullopt;

@@ -218,8 +218,8 @@ WrongWord JudgedBlock::offsets() const {
   };
   const fanuc::GNumber work = number_of(codes_.work_offset);
   if (fanuc::selects_by_number(work, words_.words().has('P'))) {
-    if (WrongWord found =
-            words_.integer('P', [work](int p) { return fanuc::wrong_work_system(p, work); })) {
+    if (WrongWord found = words_.integer(
+            'P', [&](int p) { return fanuc::wrong_work_system(p, work, profile_); })) {
       return found;
     }
   }

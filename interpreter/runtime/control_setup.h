@@ -99,7 +99,8 @@ struct ControlSetup {
   std::map<char, FurtherAxisSetup> further_axes;
   /// The number of the spindle that turns tools; nullopt: as the control has it on such a machine.
   std::optional<int> tool_spindle;
-  std::vector<InputStep> inputs;         ///< what [[input]] scripts
+  std::vector<InputStep> inputs;  ///< what [[input]] scripts
+  std::string keys;  ///< that the operator presses, one for each prompt of the program; ASCII
   std::vector<SensorWord> sensor_words;  ///< of [[sensor]], by controls that have such words
   /// Soft limits of axes, where the machine has any.
   std::map<int, std::pair<double, double>> q_M_travel;

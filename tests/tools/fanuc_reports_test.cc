@@ -42,6 +42,18 @@ bool mentions(const RunOutput& run, const std::string& code) {
   return false;
 }
 
+TEST(KeyPrompt, WithoutAKeyEndsTheRun) {
+  const auto run = run_with("%\nO1\nN5 M109 P501 (GO ON?)\nIF [#501 EQ 0] GOTO5\nM30\n%\n",
+                            "[control]\nprofile = \"haas\"\n");
+  EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::Budget));
+  EXPECT_NE(run.errors.find("o1.nc:3:1: error: the program asks the operator for a key, and "
+                            "control.keys has none left: GO ON? [PRB607]"),
+            std::string::npos)
+      << run.errors;
+  ASSERT_EQ(run.document["stops"].size(), 1U);
+  EXPECT_EQ(run.document["stops"][0]["kind"], "M109");
+}
+
 TEST(LatheProgram, IsRefusedWithOneLine) {
   const auto run = run_with(
       "%\nO1\nT0101\nG50 S2000\nG96 S200 M3\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5 W0.1 F0.2\n"

@@ -59,7 +59,7 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown key far from all", "[control]\nwombat = 1\n",
-     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, offset_memory, axes, block_skip, lookahead, feed_override, dry_run, rapids, variables_file, files [SET103]
+     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, offset_memory, axes, block_skip, lookahead, feed_override, dry_run, rapids, variables_file, files, keys [SET103]
     2 | wombat = 1
       | ^
 )"},
@@ -574,7 +574,7 @@ TEST_F(SetupErrorText, CutLongLinesAroundTheCaret) {
   EXPECT_EQ(errors_of(read({sheet})),
             "sheet1.toml:1:326: error: unknown key zebra in [control], which takes profile, "
             "increment, offset_memory, axes, block_skip, lookahead, feed_override, dry_run, "
-            "rapids, variables_file, files [SET103]\n    1 | " +
+            "rapids, variables_file, files, keys [SET103]\n    1 | " +
                 std::string(57, 'p') + "\", zebra = 1" + std::string(51, ' ') + "\n      | " +
                 std::string(60, ' ') + "^\n");
 }

@@ -26,6 +26,7 @@ rapids = "straight"
 block_skip = [1, 9]
 variables_file = "v55.vars"
 files = "logs"
+keys = "NY"
 [parameters]
 "6001.1" = 1
 "6001.0" = false

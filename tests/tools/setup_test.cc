@@ -65,6 +65,7 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.rapids, machine::RapidPath::Straight);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.files_folder, path_of("logs"));
+  EXPECT_EQ(control.keys, "NY");
   EXPECT_EQ(std::get<double>(control.data.at("$MN_OEM_LIMIT")), 5.0);
   EXPECT_EQ(std::get<std::vector<double>>(control.data.at("LIMITS")),
             (std::vector<double>{0.1, 0.2}));

@@ -56,11 +56,9 @@ std::string_view pattern_of(NameForm form) {
 /// The same of a text, or "".
 std::string_view pattern_of(Limit limit) {
   static constexpr std::pair<Limit, std::string_view> kPatterns[] = {
-      {Limit::AxisLetters, "^[XYZABC]*$"},
-      {Limit::MachineCode, "^M[0-9]+$"},
-      {Limit::WorkOffsetName, kWorkOffset},
-      {Limit::ColumnName, "^[A-Za-z0-9_.+-]+$"},
-      {Limit::VariableName, "^ *(#|[A-Za-z_$])"}};
+      {Limit::AxisLetters, "^[XYZABC]*$"},       {Limit::MachineCode, "^M[0-9]+$"},
+      {Limit::KeyPresses, "^[ -~]*$"},           {Limit::WorkOffsetName, kWorkOffset},
+      {Limit::ColumnName, "^[A-Za-z0-9_.+-]+$"}, {Limit::VariableName, "^ *(#|[A-Za-z_$])"}};
   for (const auto& [of, pattern] : kPatterns) {
     if (of == limit) {
       return pattern;

@@ -111,6 +111,13 @@ bool is_word_of_probes(Limit limit, const std::string& text) {
                                     : has_name(probe::kToolProbeShapeNames, text);
 }
 
+/// Of a limit that says which characters a text is made of.
+bool are_characters(Limit limit, const std::string& text) {
+  return limit == Limit::KeyPresses
+             ? std::ranges::all_of(text, [](char key) { return key >= ' ' && key <= '~'; })
+             : are_axis_letters(text) && (limit == Limit::AxisLetters || text.size() == 1);
+}
+
 bool text_within(Limit limit, const std::string& text) {
   switch (limit) {
     case Limit::NotEmpty:
@@ -132,9 +139,9 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::ToolProbeShape:
       return is_word_of_probes(limit, text);
     case Limit::AxisLetter:
-      return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:
-      return are_axis_letters(text);
+    case Limit::KeyPresses:
+      return are_characters(limit, text);
     case Limit::WorkOffsetName:
       return normal_name(NameForm::WorkOffset, text).has_value();
     case Limit::MachineCode:

@@ -52,6 +52,7 @@ void fill_control(runtime::ControlSetup& control, const TableKeys& keys) {
       keys.get(KeyId::ControlFeedOverride, control.feed_switches.override_percent);
   control.feed_switches.dry_run_mm_min =
       keys.get(KeyId::ControlDryRun, control.feed_switches.dry_run_mm_min);
+  control.keys = keys.get(KeyId::ControlKeys, control.keys);
   control.files_folder = keys.get(KeyId::ControlFiles, control.files_folder);
   control.variables_file = keys.get(KeyId::ControlVariablesFile, control.variables_file);
   for (const double number : keys.get(KeyId::ControlBlockSkip, std::vector<double>{})) {

@@ -107,6 +107,7 @@ enum class Limit {
   RisingPlaces,  ///< the first numbers of pairs
   VariableName,  ///< as NameForm::VariableName
   ResultUnit,    ///< a row of result_units.def
+  KeyPresses,    ///< printable ASCII
   Tolerance,     ///< 0 or more, or two numbers, the first below the second
 };
 

@@ -70,6 +70,7 @@ constexpr LimitWords kLimitWords[] = {
     {Limit::RisingPlaces, "pairs with rising places"},
     {Limit::VariableName, "a variable like #500, R1 or _OVR[0]"},
     {Limit::ResultUnit, "\"mm\", \"um\", \"inch\", \"deg\" or \"none\""},
+    {Limit::KeyPresses, "letters, digits and signs of ASCII, one for each key"},
     {Limit::Tolerance, "0 or more, or [lower, upper] with the lower below the upper"},
 };
 static_assert(std::size(kLimitWords) == static_cast<std::size_t>(Limit::Tolerance) + 1,

@@ -757,6 +757,61 @@ M30
 (EXPECT MOVE 7 X0 Y0 Z-0.7)
 (EXPECT MOVE 9 X0 Y0 Z-1)
 
+(CASE M109: the operator's keys, one for each prompt)
+(SOURCE Haas mill operator's manual 2017, M109)
+(SETTING keys = "3Y")
+%
+O1
+N1 #501=0
+N5 M109 P501 (1,2,3)
+IF [ #10501 EQ 0 ] GOTO5
+IF [ #10501 EQ 51 ] GOTO30
+GOTO1
+N30 #101=#501
+M109 P10549
+#102=#549
+M30
+%
+(EXPECT #101 = 51)
+(EXPECT #102 = 89)
+(EXPECT STOP "1,2,3")
+
+(CASE M109 P is one of fifty variables)
+(SETTING keys = "Y")
+%
+O1
+M109 P550
+M30
+%
+(EXPECT ALARM 115 AT 4)
+
+(CASE M109 needs P)
+%
+O1
+M109
+M30
+%
+(EXPECT ALARM 5 AT 3)
+
+(CASE G154 and G10 L20 have P1 to P99)
+%
+O1
+G10 L20 P99 X5.
+G90 G154 P99 G00 X0
+#100=#5021
+G154 P100
+M30
+%
+(EXPECT ALARM 30 AT 6)
+
+(CASE G10 L20 has no P100)
+%
+O1
+G10 L20 P100 X5.
+M30
+%
+(EXPECT ALARM 31 AT 3)
+
 (CASE G83 with J and no K would come to nothing)
 %
 O1

@@ -35,9 +35,9 @@ MaybeWrong missing_offset_word(bool has_p, bool has_r) {
                   : std::nullopt;
 }
 
-MaybeWrong wrong_data_number(int l, int p) {
+MaybeWrong wrong_data_number(int l, int p, const Profile& profile) {
   const int least = l == 2 ? 0 : 1;
-  const int most = l == 2 ? kWorkSystems : l == 20 ? kAdditionalSystems : kToolOffsets;
+  const int most = l == 2 ? kWorkSystems : l == 20 ? profile.additional_systems : kToolOffsets;
   return p < least || p > most ? MaybeWrong(WrongValue{AlarmId::IllegalPInG10,
                                                        fmt::format("P is {} to {}", least, most)})
                                : std::nullopt;

@@ -31,6 +31,6 @@ constexpr bool sets_work_offset(int l) {
 /// Of a tool offset.
 MaybeWrong missing_offset_word(bool has_p, bool has_r);
 /// P of G10 L2 and L20, and of tool offsets.
-MaybeWrong wrong_data_number(int l, int p);
+MaybeWrong wrong_data_number(int l, int p, const Profile& profile);
 
 }  // namespace g31::fanuc

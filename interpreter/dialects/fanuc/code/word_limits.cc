@@ -63,10 +63,10 @@ MaybeWrong wrong_radius_offset(int number) {
              : std::nullopt;
 }
 
-MaybeWrong wrong_work_system(int number, GNumber code) {
-  return is_out(number, 1, kAdditionalSystems)
+MaybeWrong wrong_work_system(int number, GNumber code, const Profile& profile) {
+  return is_out(number, 1, profile.additional_systems)
              ? wrong(AlarmId::IllegalOffsetNumber,
-                     fmt::format("{} has P1 to P{}", to_text(code), kAdditionalSystems))
+                     fmt::format("{} has P1 to P{}", to_text(code), profile.additional_systems))
              : std::nullopt;
 }
 
@@ -80,6 +80,14 @@ MaybeWrong wrong_part_error(int number, GNumber code) {
 
 MaybeWrong wrong_dwell(double seconds) {
   return seconds < 0.0 ? wrong(AlarmId::IllegalMinus, "a dwell cannot be negative") : std::nullopt;
+}
+
+MaybeWrong wrong_key_variable(int number) {
+  constexpr int kAliases = 10000;
+  const int common = number >= kAliases ? number - kAliases : number;
+  return is_out(common, 500, 549)
+             ? wrong(AlarmId::IllegalVariable, "M109 has P500 to P549, or P10500 to P10549")
+             : std::nullopt;
 }
 
 MaybeWrong wrong_reference(int number) {

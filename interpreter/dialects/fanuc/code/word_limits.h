@@ -57,7 +57,7 @@ constexpr bool selects_by_number(GNumber code, bool has_p) {
   return code == kAdditional || code.whole == kAdditionalOfHaas || (code.whole == 54 && has_p);
 }
 /// Its P.
-MaybeWrong wrong_work_system(int number, GNumber code);
+MaybeWrong wrong_work_system(int number, GNumber code, const Profile& profile);
 /// P of G54.2 and G54.4.
 MaybeWrong wrong_part_error(int number, GNumber code);
 
@@ -67,6 +67,8 @@ inline bool is_dwell_in_seconds(const EvaluatedWord& p, const Profile& profile) 
 }
 /// G04, and P of a canned cycle.
 MaybeWrong wrong_dwell(double seconds);
+/// P of M109.
+MaybeWrong wrong_key_variable(int number);
 /// P of G30.
 MaybeWrong wrong_reference(int number);
 /// P of G31, as far as parameters do not say it.

@@ -82,7 +82,9 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
   const EvaluatedWord* const p = words.find('P');
   const bool is_numbered = code.whole >= kFirstAdditional && code.whole <= kLastAdditional;
   if (is_numbered || selects_by_number(code, p != nullptr)) {
-    const auto limit = [code](int p_number) { return wrong_work_system(p_number, code); };
+    const auto limit = [&](int p_number) {
+      return wrong_work_system(p_number, code, control.profile);
+    };
     const auto number = is_numbered    ? Result<int, Failure>(code.whole - kFirstAdditional + 1)
                         : p != nullptr ? integer_within(*p, limit)
                                        : Result<int, Failure>(1);

@@ -18,8 +18,8 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   if (auto wrong = missing_offset_word(p != nullptr, r != nullptr)) {
     return block_failure(wrong->id, std::move(wrong->detail));
   }
-  const auto number =
-      integer_within(*p, [&form](int given) { return wrong_data_number(form.l, given); });
+  const auto number = integer_within(
+      *p, [&](int given) { return wrong_data_number(form.l, given, control.profile); });
   if (!number) {
     return number.error();
   }
@@ -41,8 +41,10 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
 MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   const EvaluatedWord* const p = block.words.find('P');
   const auto number =
-      p != nullptr ? integer_within(*p, [l](int given) { return wrong_data_number(l, given); })
-                   : Result<int, Failure>(l == 2 ? 0 : 1);
+      p != nullptr
+          ? integer_within(*p,
+                           [&](int given) { return wrong_data_number(l, given, control.profile); })
+          : Result<int, Failure>(l == 2 ? 0 : 1);
   if (!number) {
     return number.error();
   }

@@ -1,10 +1,19 @@
 #include "interpreter/dialects/fanuc/run/nc_blocks.h"
 
+#include <algorithm>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/source/readable_text.h"
 
 namespace g31::fanuc {
+namespace {
+
+constexpr int kKeyPrompt = 109;
+
+}  // namespace
 
 NcBlocks::NcBlocks(CallStack& stack, Control& control, CalledPrograms& programs, Jumps& jumps)
     : stack_(stack),
@@ -47,7 +56,13 @@ MaybeFailure NcBlocks::plain_block(source::Location where) {
   if (auto failure = skip_check(where)) {
     return failure;
   }
-  stop_program(m != nullptr ? nearest_integer(m->number) : -1, where);
+  const int code = m != nullptr ? nearest_integer(m->number) : -1;
+  if (code == kKeyPrompt && control_.profile.asks_for_keys) {
+    if (auto failure = ask_for_key(where)) {
+      return failure;
+    }
+  }
+  stop_program(code, where);
   return stack_.frame().modal_calls.empty() ? std::nullopt : macros_.modal_call();
 }
 
@@ -73,6 +88,43 @@ MaybeFailure NcBlocks::skip_check(source::Location where) {
     }
   }
   return std::nullopt;
+}
+
+/// The first comment in the line of the block that runs.
+std::string NcBlocks::prompt() const {
+  const CompiledProgram& program = *stack_.frame().program;
+  const Step& step = program.steps[stack_.frame().current];
+  std::string_view line = program.file->text().substr(program.tree->blocks[step.block].span.begin);
+  line = line.substr(0, line.find('\n'));
+  const std::size_t begin = std::min(line.find('('), line.size());
+  const std::size_t end = std::min(line.find(')', begin), line.size());
+  return begin < end ? source::readable_text(line.substr(begin + 1, end - begin - 1)) : "";
+}
+
+/// M109 of a Haas: the operator presses a key, whose ASCII number goes into the variable P.
+MaybeFailure NcBlocks::ask_for_key(source::Location where) {
+  const EvaluatedWord* const p = running_.words().find('P');
+  if (p == nullptr) {
+    return block_failure(AlarmId::NoDataAfterAddress, "M109 needs P, the variable for the key");
+  }
+  const auto number = integer_within(*p, wrong_key_variable);
+  if (!number) {
+    return number.error();
+  }
+  std::string text = prompt();
+  control_.observer.on_stop({"M109", text, where});
+  if (control_.keys_left.empty()) {
+    Failure failure;
+    failure.status = runtime::Status::Budget;
+    failure.alarm_number = static_cast<int>(source::DiagnosticId::NoKeyLeft);
+    failure.detail = text.empty() ? "" : ": " + text;
+    return failure;
+  }
+  const auto key = static_cast<unsigned char>(control_.keys_left.front());
+  control_.keys_left.erase(0, 1);
+  const auto refused = control_.all_variables.write(number.value(), Cell(key));
+  return refused ? MaybeFailure(at_word(*refused, *p, "the variable cannot be written"))
+                 : std::nullopt;
 }
 
 /// M00, M01, M02, M30: recorded stops and the end.

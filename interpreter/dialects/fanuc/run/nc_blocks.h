@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "interpreter/dialects/fanuc/run/word_calls.h"
 
 namespace g31::fanuc {
@@ -18,6 +20,8 @@ class NcBlocks {
  private:
   MaybeFailure plain_block(source::Location where);
   [[nodiscard]] MaybeFailure skip_check(source::Location where);
+  [[nodiscard]] MaybeFailure ask_for_key(source::Location where);
+  [[nodiscard]] std::string prompt() const;
   void stop_program(int m, source::Location where);
 
   CallStack& stack_;

@@ -209,6 +209,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   control.feed_switches = setup.feed_switches;
   control.rapids.positioning = setup.rapids.value_or(control.profile.rapids.positioning);
   control.inputs = runtime::InputScripts(setup.inputs);
+  control.keys_left = setup.keys;
   control.sensor_words = setup.sensor_words;
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);

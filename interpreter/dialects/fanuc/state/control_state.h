@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "interpreter/dialects/fanuc/state/calendar.h"
 #include "interpreter/dialects/fanuc/state/code_calls.h"
@@ -134,6 +135,7 @@ struct ControlState {
   std::map<std::int32_t, double> data;
   PmcSignals signals;            ///< #1000.., #1100..
   runtime::InputScripts inputs;  ///< of those that the set-up sheet scripts
+  std::string keys_left;         ///< that the operator will press at M109, in ASCII
   Calendar calendar;             ///< #3011, #3012
   runtime::BusyWait busy_wait;
   machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle

@@ -183,6 +183,9 @@ constexpr Profile haas() {
   profile.dwell_point_is_seconds = true;
   profile.modal_layout[12] = 14;  // G54 and the like are group 12 there
   profile.modal_layout[23] = 23;
+  // Mill operator's manual (NGC) 2017, G154, G10 L20, M109
+  profile.additional_systems = 99;
+  profile.asks_for_keys = true;
   profile.first_centre_setting = 255;
   profile.output.fewest_digits = 1;
   profile.output.without_popen = OutputRule::WithoutPopen::Prints;  // the line is always open

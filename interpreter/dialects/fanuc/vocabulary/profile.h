@@ -8,6 +8,7 @@
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/statements.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
@@ -166,6 +167,8 @@ struct Profile {
   bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
 
+  bool asks_for_keys = false;  ///< M109 P: the key that the operator presses into a variable
+
   // #3000 and the system variables
   MacroAlarmRule macro_alarm;
   ModalLayout modal_layout = fanuc_modal_layout();
@@ -180,6 +183,7 @@ struct Profile {
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles
+  int additional_systems = kAdditionalSystems;  ///< P of G54.1 and G10 L20 goes up to it
   bool enters_diameters = false;    ///< R of G10 L12 and L13 is a diameter; else a radius
   double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
