@@ -72,7 +72,7 @@ class FanucConstants {
 
   [[nodiscard]] WrongFanuc wrong_operation(const fanuc::Op& op) const {
     if (op.is_missing) {
-      return fanuc::missing_in_series_16i(op);
+      return fanuc::missing_operation(op);
     }
     const auto a = known(op.a);
     const auto b = known(op.b);

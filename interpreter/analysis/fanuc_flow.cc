@@ -239,15 +239,21 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
   }
 }
 
-/// A code that a run refuses or passes over, and the control does not.
+/// A code that a run refuses or passes over: the control does not, or it lacks a code of its
+/// family.
 void FanucTranslation::add_unsimulated(const Word& code) {
-  const fanuc::GCode* const row = fanuc::find_g_code(code.number, profile_);
-  const bool ends_run = row != nullptr && row->action == fanuc::GAction::Refused;
-  if (ends_run || (row != nullptr && fanuc::is_passed_over(row->action))) {
+  const fanuc::GCode* const row = fanuc::find_g_code(code.number, profile_.own_g_codes);
+  if (row == nullptr) {
+    return;
+  }
+  const bool is_missing = !fanuc::has_g_code(profile_, *row);
+  const bool ends_run = is_missing || row->action == fanuc::GAction::Refused;
+  if (ends_run || fanuc::is_passed_over(row->action)) {
     const int alarm =
         ends_run ? fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers) : 0;
     builder_.fault({Fault::Kind::NotSimulated, alarm, code.span,
-                    fmt::format("{}, {}: {}", to_text(row->number), row->text,
+                    fmt::format("{}, {}: {}", to_text(row->number),
+                                is_missing ? "which this control has not" : row->text,
                                 ends_run ? "a run ends here" : "a run passes over it"),
                     ""});
   }

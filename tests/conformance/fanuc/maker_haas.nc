@@ -757,6 +757,38 @@ M30
 (EXPECT MOVE 7 X0 Y0 Z-0.7)
 (EXPECT MOVE 9 X0 Y0 Z-1)
 
+(CASE codes of FANUC that a Haas mill has not)
+(SOURCE Haas mill operator's manual 2017, lists of G codes)
+%
+O1
+G90 G54 G00 X1.
+G54.1 P7
+M30
+%
+(EXPECT ALARM 10 AT 5)
+
+(CASE functions of FANUC that a Haas has not)
+%
+O1
+#101=FIX[1.7]
+#100=FUP[1.2]
+M30
+%
+(EXPECT #101 = 1)
+(EXPECT ALARM 113 AT 4)
+
+(CASE codes of a Haas that are passed over)
+%
+O1
+G77 Z-1. R-1.6 Q0.1 F10.
+G174 X1. Y1. Z1. F10.
+G161 X1. Y1. Z1. E1. F10.
+G00 X1.
+M30
+%
+(EXPECT MOVES 1)
+(EXPECT WARNING PRB304 AT 3)
+
 (CASE M109: the operator's keys, one for each prompt)
 (SOURCE Haas mill operator's manual 2017, M109)
 (SETTING keys = "3Y")

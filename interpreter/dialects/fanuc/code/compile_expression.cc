@@ -89,7 +89,7 @@ Index ExpressionCompiler::target_number(const Expr& variable) {
 Operand ExpressionCompiler::push(Op op, std::size_t result, syntax::ShortSpan span) {
   G31_EXPECTS(result < kTemporaryCount);
   op.result = static_cast<std::uint8_t>(result);
-  op.is_missing = !profile_.has_series_30i_functions && missing_in_series_16i(op);
+  op.is_missing = !has_operation(op, profile_.functions);
   out_.ops.push_back(op);
   out_.op_spans.push_back(span);
   temporaries_ = result + 1;

@@ -48,20 +48,21 @@ WrongValue undefined_at(FunctionId id, double argument) {
                           fmt::format("{} of {}", info(id).name, argument)};
 }
 
-std::optional<WrongValue> missing_in_series_16i(const Op& op) {
-  if (op.code == OpCode::NumberOfName) {
-    return WrongValue{AlarmId::ExpressionFormat, "this control has no names of variables"};
-  }
-  if (op.code == OpCode::AxisParameter) {
-    return WrongValue{AlarmId::ImproperCommand, "this control has no PRM"};
-  }
+bool has_operation(const Op& op, FunctionLevel level) {
   const bool is_function = op.code == OpCode::Call || op.code == OpCode::CallOfTwo;
-  const FunctionInfo* const row =
-      is_function ? &info(static_cast<FunctionId>(op.function)) : nullptr;
-  return row != nullptr && row->in_16i == InSeries16i::No
-             ? std::optional(WrongValue{AlarmId::ImproperCommand,
-                                        fmt::format("this control has no {}", row->name)})
-             : std::nullopt;
+  return is_function ? info(static_cast<FunctionId>(op.function)).level <= level
+                     : level == FunctionLevel::Series30i ||
+                           (op.code != OpCode::NumberOfName && op.code != OpCode::AxisParameter);
+}
+
+WrongValue missing_operation(const Op& op) {
+  return op.code == OpCode::NumberOfName
+             ? WrongValue{AlarmId::ExpressionFormat, "this control has no names of variables"}
+         : op.code == OpCode::AxisParameter
+             ? WrongValue{AlarmId::ImproperCommand, "this control has no PRM"}
+             : WrongValue{AlarmId::ImproperCommand,
+                          fmt::format("this control has no {}",
+                                      info(static_cast<FunctionId>(op.function)).name)};
 }
 
 WrongValue too_many_digits(std::uint8_t digits) {

@@ -50,8 +50,10 @@ inline bool is_defined_at(FunctionId id, double argument) {
 /// Of one that has none there.
 WrongValue undefined_at(FunctionId id, double argument);
 
-/// What a control without the functions of series 30i says of an operation; nullopt: it has it.
-std::optional<WrongValue> missing_in_series_16i(const Op& op);
+/// Whether a control with the functions of a level has an operation.
+bool has_operation(const Op& op, FunctionLevel level);
+/// Of one that the control has not.
+WrongValue missing_operation(const Op& op);
 
 /// nullopt: a program may read a variable.  @param row  nullptr: the control has no such variable
 inline std::optional<AlarmId> why_unreadable(const SystemVariable* row) {

@@ -164,10 +164,11 @@ Entries words(std::string_view topic, const Profile& profile) {
     const FunctionInfo& row = info(*function);
     const auto form = kFunctionForms[static_cast<std::size_t>(row.arguments)];
     Entry entry{"function", fmt::format(fmt::runtime(form), row.name), std::string(row.text), {}};
-    if (row.in_16i == InSeries16i::No) {
-      entry.facts.push_back({"on this control", profile.has_series_30i_functions
-                                                    ? "yes"
-                                                    : "no: only on the 30i family"});
+    if (row.level != FunctionLevel::Basic) {
+      entry.facts.push_back({"on this control", row.level <= profile.functions ? "yes"
+                                                : row.level == FunctionLevel::Series30i
+                                                    ? "no: only on the 30i family"
+                                                    : "no"});
     }
     found.push_back(std::move(entry));
   }

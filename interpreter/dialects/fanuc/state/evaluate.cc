@@ -35,7 +35,7 @@ enum class FunctionOfTwo : std::uint8_t {
 #define OneOrTwo(name) name = static_cast<std::uint8_t>(FunctionId::name),
 #define Two(name) name = static_cast<std::uint8_t>(FunctionId::name),
 #define Parameter(name) name = static_cast<std::uint8_t>(FunctionId::name),
-#define FUNCTION(name, arguments, series_16i, text) arguments(name)
+#define FUNCTION(name, arguments, level, text) arguments(name)
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
 #undef FUNCTION
 #undef Parameter
@@ -218,7 +218,7 @@ Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
 Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
                                double round_to) {
   if (op.is_missing) [[unlikely]] {
-    return fail(*missing_in_series_16i(op));
+    return fail(missing_operation(op));
   }
   switch (op.code) {
     case OpCode::Negate:

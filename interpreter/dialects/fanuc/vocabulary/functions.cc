@@ -6,8 +6,8 @@ namespace g31::fanuc {
 namespace {
 
 constexpr auto kFunctionRows = std::to_array<FunctionInfo>({
-#define FUNCTION(name, arguments, series_16i, text) \
-  {#name, Arguments::arguments, InSeries16i::series_16i, text},
+#define FUNCTION(name, arguments, level, text) \
+  {#name, Arguments::arguments, FunctionLevel::level, text},
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
 #undef FUNCTION
 });

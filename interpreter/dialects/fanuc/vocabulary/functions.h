@@ -7,10 +7,11 @@
 namespace g31::fanuc {
 
 enum class Arguments { One, OneOrTwo, Two, Parameter };
-enum class InSeries16i { Yes, No };
+/// Which functions a control has: those of its level and below.
+enum class FunctionLevel : unsigned char { Basic, Full, Series30i };
 
 enum class FunctionId : unsigned char {
-#define FUNCTION(name, arguments, series_16i, text) name,
+#define FUNCTION(name, arguments, level, text) name,
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
 #undef FUNCTION
 };
@@ -19,7 +20,7 @@ enum class FunctionId : unsigned char {
 struct FunctionInfo {
   std::string_view name;
   Arguments arguments;
-  InSeries16i in_16i;
+  FunctionLevel level;
   std::string_view text;
 };
 

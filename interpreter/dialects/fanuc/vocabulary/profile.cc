@@ -14,12 +14,15 @@ using enum VariableGroup;
 constexpr GNumber kMissingOf16i[] = {{38, 0}};
 constexpr GNumber kMissingOf0i[] = {{38, 0}, {43, 4}, {43, 5}, {53, 1}, {53, 6},
                                     {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
-constexpr GNumber kMissingOfHaas[] = {{38, 0}, {39, 0}, {43, 4}, {43, 5}, {45, 0},
-                                      {46, 0}, {47, 0}, {48, 0}, {53, 1}, {53, 6},
-                                      {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
 constexpr GNumber kMissingOfBrother[] = {{20, 0}, {21, 0}, {38, 0}, {39, 0}, {43, 4}, {43, 5},
                                          {45, 0}, {46, 0}, {47, 0}, {48, 0}, {53, 1}, {53, 6},
                                          {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
+/// Mill operator's manual (NGC) 2017, lists of G codes.  It names G66 and G67 elsewhere.
+constexpr GNumber kMissingOfHaas[] = {
+    {5, 0},  {5, 1},  {7, 1},  {8, 0},  {11, 0}, {12, 1}, {13, 1}, {15, 0}, {16, 0}, {22, 0},
+    {23, 0}, {25, 0}, {27, 0}, {30, 0}, {33, 0}, {38, 0}, {39, 0}, {43, 4}, {43, 5}, {45, 0},
+    {46, 0}, {47, 0}, {48, 0}, {50, 1}, {51, 1}, {53, 1}, {53, 6}, {54, 1}, {54, 2}, {54, 4},
+    {62, 0}, {63, 0}, {68, 2}, {68, 3}, {68, 4}, {87, 0}, {88, 0}, {92, 1}, {96, 0}, {97, 0}};
 /// The tilted plane is an option there, tool centre point control is not to be had.
 constexpr GNumber kMissingOf0iF[] = {{43, 4}, {43, 5}, {53, 6}, {54, 2}, {54, 4}, {68, 3}, {68, 4}};
 
@@ -63,6 +66,7 @@ constexpr Profile fanuc_30i() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.has_series_30i_functions = true;
+  profile.functions = FunctionLevel::Series30i;
   profile.names = {100, 999, 31};
   profile.largest_sequence = 99999999;
   profile.offset_limit_mm = 10000.0;
@@ -165,6 +169,7 @@ constexpr Profile haas() {
   profile.variables = {Basic, OffsetsHaas, ShiftAt5201, HaasTables};
   profile.own_g_codes = CodeSet::Haas;
   profile.missing_g_codes = kMissingOfHaas;
+  profile.functions = FunctionLevel::Basic;
   profile.plans_ahead = true;
   profile.joins_conditions = true;
   profile.conditions_are_numbers = true;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
+#include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
 #include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
@@ -137,6 +138,7 @@ struct Profile {
   LogicOperands logic_operands = LogicOperands::Round;
   FeedCounts feed_counts;  ///< parameter 1403.0 of Fanuc: 1 mm/min beside 0.01 inch/min
   bool has_series_30i_functions = false;
+  FunctionLevel functions = FunctionLevel::Full;
 
   // Statements
   int largest_sequence = 99999;  ///< N and GOTO (MB-003, MB-172)
