@@ -45,8 +45,8 @@ BROKEN = [
         'KEYWORD(RESTART, calls, restart_statement, "RESTART", "compiled by nothing")': "restart_statement",
     }),
     ("fanuc/state/evaluate.cc", "fanuc/vocabulary/functions.def", {
-        'FUNCTION(HALF, One, Basic, "computed by nothing")': "HALF",
-        'FUNCTION(MEAN, Two, Series30i, "computed by nothing")': "MEAN",
+        'FUNCTION(HALF, "", One, Basic, "computed by nothing")': "HALF",
+        'FUNCTION(MEAN, "", Two, Series30i, "computed by nothing")': "MEAN",
     }),
     ("fanuc/execute/block.cc", "fanuc/vocabulary/g_codes.def", {
         'G_CODE(999, 0, OneShot, Modal, "done by nothing")': "G999: nothing does Modal",

@@ -519,3 +519,19 @@ O1
 M30
 %
 (EXPECT ALARM FORMAT AT 4)
+
+(CASE second names: ATN, SQR, RND)
+(SOURCE M700V programming manual, 13.5: SQR, RND; FANUC's table of operations: ATN, SQR, RND)
+(CONTROL fanuc-16i fanuc-30i meldas mazatrol-iso)
+%
+O1
+#100=ATN[1.]
+#101=ATN[1.]/[1.]
+#102=SQR[10*10+20*20]
+#103=RND[-14/3]
+M30
+%
+(EXPECT #100 = 45)
+(EXPECT #101 = 45)
+(EXPECT #102 = 22.360680 WITHIN 0.0000005)
+(EXPECT #103 = -5)

@@ -164,6 +164,9 @@ Entries words(std::string_view topic, const Profile& profile) {
     const FunctionInfo& row = info(*function);
     const auto form = kFunctionForms[static_cast<std::size_t>(row.arguments)];
     Entry entry{"function", fmt::format(fmt::runtime(form), row.name), std::string(row.text), {}};
+    if (!row.also.empty()) {
+      entry.facts.push_back({"also", fmt::format("{}[a]", row.also)});
+    }
     if (row.level != FunctionLevel::Basic) {
       entry.facts.push_back({"on this control", row.level <= profile.functions ? "yes"
                                                 : row.level == FunctionLevel::Series30i

@@ -35,7 +35,7 @@ enum class FunctionOfTwo : std::uint8_t {
 #define OneOrTwo(name) name = static_cast<std::uint8_t>(FunctionId::name),
 #define Two(name) name = static_cast<std::uint8_t>(FunctionId::name),
 #define Parameter(name) name = static_cast<std::uint8_t>(FunctionId::name),
-#define FUNCTION(name, arguments, level, text) arguments(name)
+#define FUNCTION(name, also, arguments, level, text) arguments(name)
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
 #undef FUNCTION
 #undef Parameter

@@ -6,8 +6,8 @@ namespace g31::fanuc {
 namespace {
 
 constexpr auto kFunctionRows = std::to_array<FunctionInfo>({
-#define FUNCTION(name, arguments, level, text) \
-  {#name, Arguments::arguments, FunctionLevel::level, text},
+#define FUNCTION(name, also, arguments, level, text) \
+  {#name, also, Arguments::arguments, FunctionLevel::level, text},
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
 #undef FUNCTION
 });
@@ -36,7 +36,8 @@ const FunctionInfo& info(FunctionId id) {
 
 std::optional<FunctionId> find_function(std::string_view name) {
   for (std::size_t i = 0; i < kFunctionRows.size(); ++i) {
-    if (name.size() >= 2 && kFunctionRows[i].name.starts_with(name)) {
+    const FunctionInfo& row = kFunctionRows[i];
+    if (name.size() >= 2 && (row.name.starts_with(name) || name == row.also)) {
       return static_cast<FunctionId>(i);
     }
   }

@@ -11,7 +11,7 @@ enum class Arguments { One, OneOrTwo, Two, Parameter };
 enum class FunctionLevel : unsigned char { Basic, Full, Series30i };
 
 enum class FunctionId : unsigned char {
-#define FUNCTION(name, arguments, level, text) name,
+#define FUNCTION(name, also, arguments, level, text) name,
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
 #undef FUNCTION
 };
@@ -19,6 +19,7 @@ enum class FunctionId : unsigned char {
 /// One row of functions.def.
 struct FunctionInfo {
   std::string_view name;
+  std::string_view also;  ///< a second name; "": none
   Arguments arguments;
   FunctionLevel level;
   std::string_view text;
@@ -29,7 +30,8 @@ std::span<const FunctionInfo> functions();
 
 const FunctionInfo& info(FunctionId id);
 
-/// The function of this name or of its abbreviation (two letters or more), upper case.
+/// The function of this name, first or second, or of its abbreviation (two letters or more), upper
+/// case.
 std::optional<FunctionId> find_function(std::string_view name);
 
 }  // namespace g31::fanuc
