@@ -36,6 +36,7 @@ TEST(Explain, TakesTopicsAsUsersWriteThem) {
       {"#33", "fanuc-16i", "local variable", "#33"},
       {"#100-#149", "fanuc-16i", "common variable", "#100 to #149"},
       {"#500-999", "fanuc-16i", "common variable", "#500 to #999"},
+      {"#30057.25", "haas", "system variable", "#30057250"},
       {"#3101", "fanuc-30i", "system variable", "#3101"},
       {"G31", "fanuc-16i", "G code", "G31"},
       {"g1", "fanuc-16i", "G code", "G01"},

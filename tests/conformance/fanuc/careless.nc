@@ -27,6 +27,7 @@ G31 P98 X10. F100.
 M30
 %
 (EXPECT #1 = 10)
+(EXPECT WARNING PRB304 AT 3)
 (EXPECT NO WARNING PRB319)
 
 (CASE CL-04 a jump into a loop goes round its condition)

@@ -104,7 +104,7 @@ void keep_marked_point(Control& control, const BlockWords& words) {
 MaybeFailure execute_work_measurement(Control& control, const NcBlock& block) {
   if (control.modal.group[Group::ToolLength].whole != 49) {
     return block_failure(
-        AlarmId::OffsetInMeasurement,
+        AlarmId::LengthInMeasurement,
         fmt::format("{} measures without a tool length offset", to_text(block.code->number)));
   }
   const AxisPositions q_M_end = control.coordinates.to_path(programmed_end(control, block));

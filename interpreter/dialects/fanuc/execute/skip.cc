@@ -64,7 +64,7 @@ std::optional<int> step_parameter(const NcBlock& block) {
   return step > 0 ? std::optional(kParametersOfStep * (step - 1)) : std::nullopt;
 }
 
-Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block) {
+Result<SkipKind, Failure> skip_kind(Control& control, const NcBlock& block) {
   if (const auto step = step_parameter(block)) {
     return SkipKind{false, control.parameters.signals(ParameterId::MultiStepSkip, *step)};
   }
@@ -82,6 +82,8 @@ Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block
     return SkipKind{false, static_cast<unsigned>(number.value())};
   }
   if (skips_by_torque(number.value())) {
+    control.warn_once(source::DiagnosticId::NotSimulated, block.where,
+                      fmt::format("the torque limit that ends G31 P{}", number.value()));
     auto wrong = wrong_skip_axes(axes_named(block.words));
     return wrong ? at_word(*std::move(wrong), *p)
                  : Result<SkipKind, Failure>({number.value() == 98, 0});

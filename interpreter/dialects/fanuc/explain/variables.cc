@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -8,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/explain/entry.h"
+#include "interpreter/dialects/fanuc/vocabulary/variable_names.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
@@ -40,23 +40,14 @@ constexpr UserRange kUserRanges[] = {
      "common to all programs, kept when the power is off; the set-up sheet's variables_file holds "
      "them"}};
 
-std::optional<int> number_of(std::string_view text) {
-  if (text.starts_with('#')) {
-    text.remove_prefix(1);
-  }
-  int number = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = !text.empty() && end.ec == std::errc() && end.ptr == text.data() + text.size();
-  return whole && number >= 0 ? std::optional(number) : std::nullopt;
-}
-
 std::optional<Range> range_of(std::string_view topic) {
-  if (!topic.starts_with('#')) {
-    return std::nullopt;
-  }
-  const std::size_t minus = topic.find('-');
-  const auto first = number_of(topic.substr(0, minus));
-  const auto last = minus == std::string_view::npos ? first : number_of(topic.substr(minus + 1));
+  const std::size_t minus = std::min(topic.find('-'), topic.size());
+  const std::string_view end = topic.substr(std::min(minus + 1, topic.size()));
+  const auto first = variable_in_name(topic.substr(0, minus));
+  const auto last =
+      minus == topic.size()
+          ? first
+          : variable_in_name(end.starts_with('#') ? std::string(end) : fmt::format("#{}", end));
   return first && last && *first <= *last ? std::optional(Range{*first, *last}) : std::nullopt;
 }
 

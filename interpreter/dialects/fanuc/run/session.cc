@@ -9,26 +9,10 @@
 #include "interpreter/dialects/fanuc/run/inspector.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
 #include "interpreter/dialects/fanuc/state/believed_chain.h"
-#include "interpreter/dialects/fanuc/text/scanner.h"
+#include "interpreter/dialects/fanuc/vocabulary/variable_names.h"
 
 namespace g31::fanuc {
 namespace {
-
-/// "#500" -> 500.
-std::optional<int> variable_in_name(std::string_view name) {
-  if (name.size() < 2 || name[0] != '#' || !is_digit(name[1]) || name.back() == '.') {
-    return std::nullopt;
-  }
-  double number = 0.0;
-  const auto end =
-      std::from_chars(name.data() + 1, name.data() + name.size(), number, std::chars_format::fixed);
-  const bool is_read = end.ec == std::errc() && end.ptr == name.data() + name.size();
-  const bool is_whole = name.find('.') == std::string_view::npos;
-  const int variable = written_variable(number);
-  constexpr int kFirstWithPart = 30'000'000;
-  return is_read && (is_whole || variable >= kFirstWithPart) ? std::optional(variable)
-                                                             : std::nullopt;
-}
 
 /// Which system "G54".."G59", "EXT", "G54.1 P1" names, as Coordinates counts them.
 std::optional<int> system_in_name(std::string_view name) {

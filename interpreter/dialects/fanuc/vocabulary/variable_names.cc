@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
 #include "machine/base/letters.h"
 
 namespace g31::fanuc {
@@ -48,6 +49,22 @@ std::span<const SystemName> system_names() {
 
 std::string upper_case(std::string_view text) {
   return in_capitals(text);
+}
+
+std::optional<std::int32_t> variable_in_name(std::string_view name) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (name.size() < 2 || name[0] != '#' || !is_digit(name[1]) || name.back() == '.') {
+    return std::nullopt;
+  }
+  double number = 0.0;
+  const auto end =
+      std::from_chars(name.data() + 1, name.data() + name.size(), number, std::chars_format::fixed);
+  const bool is_read = end.ec == std::errc() && end.ptr == name.data() + name.size();
+  const bool is_whole = name.find('.') == std::string_view::npos;
+  const std::int32_t variable = written_variable(number);
+  constexpr std::int32_t kFirstWithPart = 30'000'000;
+  return is_read && (is_whole || variable >= kFirstWithPart) ? std::optional(variable)
+                                                             : std::nullopt;
 }
 
 bool is_variable_name(std::string_view name) {

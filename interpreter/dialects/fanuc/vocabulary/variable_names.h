@@ -34,6 +34,9 @@ std::string upper_case(std::string_view text);
 /// Whether SETVN can give this name: a letter, then letters, digits and underscores.
 bool is_variable_name(std::string_view name);
 
+/// "#500" -> 500; "#30012.003" of a Haas -> 30012003.
+std::optional<std::int32_t> variable_in_name(std::string_view name);
+
 /// Names of variables: those of the system, and those that SETVN gave.
 class VariableNames {
  public:
