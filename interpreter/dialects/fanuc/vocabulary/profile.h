@@ -163,8 +163,8 @@ struct Profile {
   /// E and F of a call without a point are counted as F is; else they are as written (MB-196).
   bool counts_feed_arguments = true;
   bool has_program_names = false;  ///< M98 <NAME>, G65 <NAME> beside P and a number (MB-002)
-  char start_letter = 'Q';       ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
-  bool starts_in_called = true;  ///< with P it is a block of that program; else it goes without P
+  char start_letter = 'Q';         ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+  bool starts_in_called = true;    ///< with P it is a block of that program; else it goes without P
 
   bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
