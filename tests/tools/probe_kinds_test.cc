@@ -1,6 +1,11 @@
 // L and star probes, records chosen by the tool, the second measuring input, and what a shop adds
-// to the measuring cycles.
+// to the measuring cycles.  Spindle reversal with a ball far off the spindle's axis: both readings
+// are of the same spot.
 
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/measuring_run.h"
@@ -132,6 +137,59 @@ TEST(ShopsOwnProgram, RunsBeforeAndAfterMeasuringAndBeforeAnAlarm) {
   EXPECT_EQ(run.at("R3"), 0.0);
   // What was measured can be read nevertheless.
   EXPECT_NEAR(run.at("_OVR[17]"), 0.2, 1e-6);
+}
+
+constexpr const char* kFarOff = "[probe]\neccentricity = [0.5, -0.3]\n";
+
+/// The record says where the ball is.
+constexpr const char* kKnownPlace = R"([variables]
+"$SNS_MEA_WP_POS_DEV_AX1[0]" = 0.5
+"$SNS_MEA_WP_POS_DEV_AX2[0]" = -0.3
+)";
+
+std::string turned_block() {
+  return part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
+}
+
+// The second point was S_ID less twice the deviation from the first: atan(29/30 tan 3 deg)
+// = 2.9001.
+TEST(Reversal, AnEdgeIsTouchedTheWholeDistanceApart) {
+  for (const char* const variant : {"5", "10005", "110005"}) {
+    for (const char* const place : {kKnownPlace, ""}) {
+      SCOPED_TRACE(fmt::format("{} {}", variant, place));
+      expect_measured(fmt::format("X-20 Y-27\nZ-5\nCYCLE998({},,,1,,,,6,5,102,1,30)", variant),
+                      {turned_block(), kCalibrated, kFarOff, place}, {{"_OVR[4]", 3.0}});
+    }
+  }
+}
+
+// The mean of two places on a circle lies within it.
+TEST(Reversal, AnArcsPointsLieOnItsCircle) {
+  const std::string hole = part_aside("ring", "bore = 40.0\nsagitta = 0.0000001");
+  const std::string pin = part_aside("cylinder", "diameter = 30.0\nsagitta = 0.0000001");
+  const MeasuringCase kRows[] = {
+      {"hole, three points",
+       hole,
+       "Z-5\nCYCLE979(10001,,,1,40,2,5,0,0,0,120)",
+       {{"_OVR[4]", 40.0}}},
+      {"hole, four points", hole, "Z-5\nCYCLE979(11001,,,1,40,2,5,0,0,20,80)", {{"_OVR[4]", 40.0}}},
+      {"spigot", pin, "X30\nZ-5\nCYCLE979(10002,,,1,30,3,5,0,0,0,120)", {{"_OVR[4]", 30.0}}},
+  };
+  for (const MeasuringCase& row : kRows) {
+    SCOPED_TRACE(row.name);
+    std::vector<ExpectedValue> expected = row.expected;
+    expected.insert(expected.end(), {{"_OVR[5]", 0.2}, {"_OVR[6]", -0.3}});
+    expect_measured(row.program, {row.parts, kCalibrated, kFarOff, kKnownPlace}, expected, 1e-6);
+  }
+}
+
+TEST(Reversal, APointIsTheOneThatIsTouchedWithoutIt) {
+  const auto measured = [](const char* variant) {
+    return run_measuring(fmt::format("X-40\nZ-5\nCYCLE978({},,,1,-30,5,5,1,1)", variant),
+                         {turned_block(), kCalibrated, kFarOff, kKnownPlace}, {"_OVR[4]"})
+        .at("_OVR[4]");
+  };
+  EXPECT_NEAR(measured("10000"), measured("0"), 1e-6);
 }
 
 }  // namespace
