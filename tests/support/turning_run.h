@@ -19,8 +19,6 @@ tool_side = "ZX"
 travel = [-200.0, 500.0]
 [machine.axes.Z]
 travel = [-100.0, 900.0]
-[machine_data]
-"$MA_SPIND_ASSIGN_TO_MACHAX[C]" = 1
 [tools.1]
 name = "PROBE"
 radius = 3.0

@@ -1,5 +1,6 @@
 #include "interpreter/dialects/sinumerik/run/session.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <set>
@@ -99,6 +100,25 @@ void configure_data(Runner& runner, const runtime::ControlSetup& setup,
   for (const auto& [assignment, key] : assignments) {
     if (const auto wrong = runner.run_text(assignment)) {
       refused.push_back({key, fmt::format("{}: {}", assignment, *wrong)});
+    }
+  }
+}
+
+/// On a lathe the rotary axis that turns the part about Z is its first spindle, unless data say
+/// which axis is one.
+void preset_spindle_axis(Runner& runner, const runtime::ControlSetup& setup) {
+  constexpr std::string_view kName = "$MA_SPIND_ASSIGN_TO_MACHAX";
+  const auto is_said = [](const auto& datum) { return datum.first.starts_with(kName); };
+  if (!runner.channel().is_lathe() || std::ranges::any_of(setup.data, is_said)) {
+    return;
+  }
+  for (const char letter : setup.kinematics.table_side) {
+    const int axis = axis_named(std::string_view(&letter, 1));
+    if (is_rotary_axis(axis) && !runner.channel().axis_of_spindle(1) &&
+        setup.kinematics.rotary.at(static_cast<std::size_t>(axis) - kLinearAxisCount)
+            .axis_M.normalized()
+            .isApprox(Point::UnitZ())) {
+      G31_EXPECTS(!runner.run_text(fmt::format("{}[{}]=1", kName, letter)));
     }
   }
 }
@@ -228,6 +248,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   }
   configure_carrier(channel, setup);
   configure_data(*runner_, setup, refused);
+  preset_spindle_axis(*runner_, setup);
   channel.preset_rapids();
   channel.preset_codes();
   numbers_at_start_ = channel.numbers;
