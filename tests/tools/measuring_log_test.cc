@@ -291,5 +291,24 @@ Diameter        40.0100          40.0000          -0.0100 mm
       << shown;
 }
 
+TEST(MeasuringLog, APlaneHasBothItsAngles) {
+  const MeasuringRun run =
+      measured("CYCLE150(0,1,\"LOG.TXT\")\nX-15 Y-10 Z4\nCYCLE998(6,,,1,,1,,6,5,,,,30,0,0,20)",
+               part("block", 100.0, 50.0, -300.0, "rotate_deg = [2.0, -3.0, 0.0]"));
+  EXPECT_EQ(file_of(run, "LOG.TXT"), std::string(kHead) + R"(
+-----------------------------------------------------
+1                      : 998 / 6          Time:hh:mm:ss
+Results measure:Align plane / CYCLE998
+
+-----------------------------------------------------
+Correction into:Measuring only
+
+Results:        Setpoint         Measured         Difference
+Angle about X    1.0000           2.0000           1.0000 deg
+Angle about Y    0.0000          -3.0000          -3.0000 deg
+                ---------------------------------
+)");
+}
+
 }  // namespace
 }  // namespace g31::testing::measuring_log_test
