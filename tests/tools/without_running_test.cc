@@ -106,6 +106,20 @@ TEST(SetupCommand, RefusesNamesThatTheControlHasNot) {
   }
 }
 
+TEST(SetupCommand, SaysWhichToolIsNeverFoundByItsName) {
+  const std::string twice = std::string(kSheet) + kBlock +
+                            "[tools.5]\nname = \"CUT\"\n[tools.6]\nname = \"CUT\"\n[control]\n"
+                            "profile = \"sinumerik-828d\"\n";
+  const CommandOutput output = reviewed(twice);
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_TRUE(has(output,
+                  "two tools have one name and one duplo number: 'CUT', [tools.5] and [tools.6] "
+                  "[SUP111]"))
+      << output.out;
+  const CommandOutput told_apart = reviewed(twice + "[variables]\n\"$TC_TP1[6]\" = 2\n");
+  EXPECT_FALSE(has(told_apart, "SUP111")) << told_apart.out;
+}
+
 /// The ball comes to X 500, the block begins at 670 and the ball is 3 mm: 167 mm.
 TEST(SetupCommand, SaysWhichPartIsOutOfReach) {
   const CommandOutput output =

@@ -4,8 +4,10 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -124,6 +126,22 @@ void judge_lengths(const setup::Job& job, std::vector<source::Diagnostic>& findi
   }
 }
 
+/// Tools of one name: the duplo numbers tell them apart, 1 unless the sheet says another one.
+void judge_tool_names(const setup::Job& job, std::vector<source::Diagnostic>& findings) {
+  std::map<std::pair<std::string, double>, int> first_of;
+  for (const auto& [number, tool] : job.control.tools) {
+    const auto duplo = job.control.variables.find(fmt::format("$TC_TP1[{}]", number));
+    const bool is_said = duplo != job.control.variables.end();
+    const auto [known, is_new] =
+        first_of.try_emplace({tool.name, is_said ? duplo->second.value_or(1.0) : 1.0}, number);
+    if (!is_new && !tool.name.empty()) {
+      findings.push_back(finding_of(
+          SetupRuleId::ToolTwice,
+          fmt::format("'{}', [tools.{}] and [tools.{}]", tool.name, known->second, number)));
+    }
+  }
+}
+
 /// An axis that starts beyond a soft limit: by [start], or because it is not named there.
 void judge_start(const setup::Job& job, std::vector<source::Diagnostic>& findings) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
@@ -180,6 +198,7 @@ Result<Review, session::Refusal> review(const session::Request& request) {
   judge_places(job, review.parts, review.reach, review.findings);
   judge_start(job, review.findings);
   judge_lengths(job, review.findings);
+  judge_tool_names(job, review.findings);
   std::ranges::copy_if(listing.value().outcome.diagnostics, std::back_inserter(review.findings),
                        is_about_setup);
   if (!request.programs.empty()) {
