@@ -4,6 +4,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -100,12 +101,38 @@ TEST(ExplainCommand, KnowsWhatTheShippedSinumerikProgramsSayOfThemselves) {
 }
 
 TEST(ExplainCommand, NamesTheControlThatKnowsATopic) {
-  const Output output = explain({.topics = {"CYCLE977"}});
+  const Output output = explain({.topics = {"CYCLE977"}, .control = "fanuc-16i"});
   EXPECT_EQ(output.code, ExitCode::BadUsage);
   EXPECT_EQ(output.errors,
             "g31: error: fanuc-16i does not know 'CYCLE977', --control sinumerik-828d does\n");
   const Output near = explain({.topics = {"CYCLE9777"}, .control = "sinumerik-828d"});
   EXPECT_NE(near.errors.find("did you mean 'CYCLE977'?"), std::string::npos) << near.errors;
+}
+
+TEST(ExplainCommand, LooksInAllControlsWhereNoneIsNamed) {
+  for (const char* const topic : {"61301", "CYCLE974", "_OVR[5]", "54740", "S_TSA"}) {
+    const Output output = explain({.topics = {topic}});
+    EXPECT_EQ(output.code, ExitCode::Completed) << topic << output.errors;
+    EXPECT_NE(output.text.find("    control: sinumerik-828d\n"), std::string::npos) << output.text;
+  }
+  const Output both = explain({.topics = {"G54"}});
+  EXPECT_EQ(both.text.find("sinumerik"), std::string::npos) << "the default's own comes first";
+}
+
+TEST(ExplainCommand, KnowsDataAndParametersAsMessagesAndScreensHaveThem) {
+  const auto of_828d = [](const char* topic) {
+    return explain({.topics = {topic}, .control = "sinumerik-828d"});
+  };
+  for (const auto& [topic, name] : {std::pair("SD54607", "54607 $SNS_MEA_WP_POS_DEV_AX1 ("),
+                                    std::pair("md51740", "51740 $MNS_MEA_FUNCTION_MASK ("),
+                                    std::pair("$SNS_MEA_FUNCTION_MASK", "54740 "),
+                                    std::pair("S_TSA", "S_TSA (parameter of measuring cycles)"),
+                                    std::pair("TZL", "S_TZL (parameter of measuring cycles)")}) {
+    EXPECT_NE(of_828d(topic).text.find(name), std::string::npos) << topic << of_828d(topic).text;
+  }
+  const Output variants = of_828d("S_MVAR");
+  EXPECT_NE(variants.text.find("    of CYCLE: 977\n"), std::string::npos) << variants.text;
+  EXPECT_EQ(of_828d("SD61301").code, ExitCode::BadUsage) << "an alarm is no datum";
 }
 
 /// Every alarm number in the shipped programs has an entry with a title and something to do.

@@ -152,12 +152,29 @@ std::string unknown_text(const std::string& topic, const session::Control& contr
                              : fmt::format(": write {}", suggestion.examples));
 }
 
+/// What the first control that knows a topic has of it, and whose it is.
+runtime::Entries entries_of_other_control(const std::string& topic) {
+  for (const session::Control& other : session::all_controls()) {
+    runtime::Entries named = manual::explain(topic, other);
+    for (runtime::Entry& entry : named) {
+      entry.facts.push_back({"control", std::string(session::name_of(other))});
+    }
+    if (!named.empty()) {
+      return named;
+    }
+  }
+  return {};
+}
+
 /// Adds what is named by the topic, else what it is found in.  @returns whether there is any
 bool add_topic(const std::string& topic, const ExplainOptions& options,
                const session::Control& control, Answer& answer) {
   runtime::Entries named = options.search ? runtime::Entries() : manual::explain(topic, control);
   std::ranges::move(options.search ? runtime::Entries() : exit_entries(topic),
                     std::back_inserter(named));
+  if (named.empty() && !options.search && options.control.empty()) {
+    named = entries_of_other_control(topic);
+  }
   if (!named.empty()) {
     std::ranges::move(named, std::back_inserter(answer.entries));
     return true;

@@ -39,7 +39,9 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
   explain->add_flag("--search", options.search,
                     "list what has the words in its text, also where something is named so");
-  add_control_option(*explain, options.control, "control profile (default fanuc-16i)");
+  add_control_option(
+      *explain, options.control,
+      "control profile (default fanuc-16i; what it does not know is looked for in the others)");
   explain->add_flag(
       "--json{-}", options.json,
       "document g31.explain/1, to FILE behind it where that ends in .json, or by --json=FILE; "

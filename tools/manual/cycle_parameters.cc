@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "machine/base/letters.h"
+#include "tools/manual/entries.h"
+
 namespace g31::manual {
 namespace {
 
@@ -40,6 +43,34 @@ std::string_view text_of_parameter(std::string_view cycle, std::string_view name
     return each.name == name && (each.cycles.empty() || has_number(each.cycles, cycle));
   });
   return row != kCycleParameters.end() ? row->text : std::string_view();
+}
+
+runtime::Entries all_parameter_entries() {
+  runtime::Entries all;
+  for (const CycleParameter& row : kCycleParameters) {
+    const bool is_of_some = std::ranges::any_of(kCycleParameters, [&](const CycleParameter& other) {
+      return other.name == row.name && !other.cycles.empty();
+    });
+    std::string cycles(row.cycles);
+    if (cycles.empty()) {
+      cycles = is_of_some ? "all others that have it" : "all that have it";
+    }
+    all.push_back({"parameter of measuring cycles",
+                   std::string(row.name),
+                   std::string(row.text),
+                   {{"of CYCLE", cycles}}});
+  }
+  return all;
+}
+
+runtime::Entries parameter_entries(std::string_view topic) {
+  constexpr std::size_t kShortest = 3;  // K and MA are addresses and axes, too
+  const std::string name = in_capitals(topic);
+  runtime::Entries found = all_parameter_entries();
+  std::erase_if(found, [&](const runtime::Entry& entry) {
+    return entry.name != name && (name.size() < kShortest || entry.name != "S_" + name);
+  });
+  return found;
 }
 
 }  // namespace g31::manual

@@ -23,6 +23,10 @@ runtime::Entries all_shape_entries();
 runtime::Entries study_entries(std::string_view topic);
 runtime::Entries all_study_entries();
 
+/// "S_TSA", or as screens of the control have it "TSA": what it means in which measuring cycles.
+runtime::Entries parameter_entries(std::string_view topic);
+runtime::Entries all_parameter_entries();
+
 /// "PRB301", "SET103", "NC005", "DAT101"
 runtime::Entries code_entries(std::string_view topic);
 runtime::Entries all_code_entries();

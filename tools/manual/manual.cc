@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <variant>
 
 #include "machine/base/letters.h"
 #include "machine/base/nearest_name.h"
@@ -51,10 +52,17 @@ bool has_words(const std::string& text, const std::vector<std::string>& words) {
   return std::ranges::all_of(words, [&](const std::string& word) { return has_word(small, word); });
 }
 
+bool has_measuring_cycles(const session::Control& control) {
+  return std::holds_alternative<session::SinumerikControl>(control);
+}
+
 }  // namespace
 
 Entries explain(const std::string& topic, const session::Control& control) {
   Entries found = session::explain(topic, control);
+  if (has_measuring_cycles(control)) {
+    append(found, parameter_entries(topic));
+  }
   append(found, sheet_entries(topic));
   append(found, shape_entries(topic));
   append(found, study_entries(topic));
@@ -65,6 +73,9 @@ Entries explain(const std::string& topic, const session::Control& control) {
 
 Entries everything(const session::Control& control) {
   Entries all = session::everything(control);
+  if (has_measuring_cycles(control)) {
+    append(all, all_parameter_entries());
+  }
   append(all, all_sheet_entries());
   append(all, all_shape_entries());
   append(all, all_study_entries());

@@ -178,6 +178,13 @@ std::string family_of(const std::string& name) {
   return number > 505 && name.front() == 'G' && number <= 599 ? "G505" : name;
 }
 
+/// "54607" of "SD54607" and "MD51740", as manuals and messages write a datum; else nothing.
+std::string datum_number_in(const std::string& name) {
+  const bool is_written_so = (name.starts_with("SD") || name.starts_with("MD")) &&
+                             name.size() > 2 && std::all_of(name.begin() + 2, name.end(), is_digit);
+  return is_written_so ? name.substr(2) : std::string();
+}
+
 /// "[4]" behind a name, or nothing.
 std::string index_in(std::string_view name) {
   const std::size_t bracket = name.find('[');
@@ -202,12 +209,14 @@ Entries explain(std::string_view topic, const Topics& shipped) {
   name.erase(name.find_last_not_of(' ') + 1);
   // An index or a number behind a name seldom says more: $AA_MW[X], $TC_DP6, but _OVR[4].
   const std::string stem = family_of(name.substr(0, name.find_first_of("[(")));
+  const std::string datum = datum_number_in(stem);
   const auto system = find_system_variable(stem);
   Entries found;
   for (const Topics* const list : {&topics(), &shipped}) {
     for (const Topic& known : *list) {
       const bool is_system = system && known.name == system->row->name;
-      if (known.name == stem || known.other == stem || is_system) {
+      const bool is_datum = !datum.empty() && known.other == datum && known.name.starts_with('$');
+      if (known.name == stem || known.other == stem || is_system || is_datum) {
         found.push_back(about_element(known.entry, index_in(name)));
       }
     }
