@@ -1,9 +1,11 @@
 // Each measuring cycle with a work offset as its target, and what goes wrong with probe and part:
-// the cycle's own alarm, and the offset stays as it was.
+// the cycle's own alarm, and the offset stays as it was.  Then what is refused before anything is
+// touched.
 
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -123,6 +125,130 @@ TEST(MeasuringFaults, TheProbeIsDeflectedAtTheCall) {
     expect_refused((is_ring ? ring_from_inside : block_from_left) + filled(row, 1, row.safe),
                    row.parts, 61302);
   }
+}
+
+const std::string kSquareBlock = part("block", 100.0, 50.0, -300.0);
+
+/// The alarm is the cycle's own, and the probe has not moved to touch anything.
+void expect_untouched(const std::string& call, int alarm) {
+  SCOPED_TRACE(call);
+  const MeasuringRun run =
+      run_measuring(call, {kSquareBlock, kCalibrated}, {"_OVI[9]", "$AA_IM[X]", "$AA_IM[Z]"});
+  EXPECT_EQ(run.alarm(), alarm) << run.output.errors;
+  EXPECT_EQ(run.at("_OVI[9]"), alarm);
+  EXPECT_TRUE(run.output.document.at("touches").empty());
+  EXPECT_EQ(run.at("$AA_IM[X]"), 100.0);
+  EXPECT_EQ(run.at("$AA_IM[Z]"), -160.0);
+}
+
+TEST(MeasuringFaults, OffsetsThatAreNotThere) {
+  const std::pair<const char*, int> kNumbers[] = {
+      {"-1", 61321},   {"100", 61321},  {"1017", 61321},  {"3017", 61321},  {"1000", 61321},
+      {"4000", 61321}, {"5001", 61321}, {"20001", 61307}, {"90001", 61307}, {"100001", 61307}};
+  const char* const kTargets[] = {
+      "CYCLE978(100,{},,1,0,5,5,3,2)",        "CYCLE977(102,{},,1,40,,,2,5)",
+      "CYCLE979(102,{},,1,40,2,5,0,0,0,120)", "CYCLE961(106,{},1,20,45,15,,,,,,,,0,,,10,5)",
+      "CYCLE998(105,{},,1,,,,6,5,102,1,30)",  "CYCLE998(106,{},,1,,,,6,5,,,,30,0,0,20)",
+      "CYCLE997(109,{},1,25,2,5,,,0,0,0)"};
+  for (const char* const call : kTargets) {
+    for (const auto& [number, alarm] : kNumbers) {
+      expect_untouched(fmt::format(fmt::runtime(call), number), alarm);
+    }
+  }
+}
+
+TEST(MeasuringFaults, GlobalBasicFramesTakeNoRotation) {
+  for (const char* const call :
+       {"CYCLE961(106,3001,1,20,45,15,,,,,,,,0,,,10,5)", "CYCLE998(105,3001,,1,,,,6,5,102,1,30)",
+        "CYCLE998(106,3001,,1,,,,6,5,,,,30,0,0,20)"}) {
+    expect_untouched(call, 61321);
+  }
+}
+
+TEST(MeasuringFaults, MemoriesThatAreNotThere) {
+  for (const char* const memory : {"21", "-1", "210001", "30"}) {
+    expect_untouched(fmt::format("CYCLE998(105,1,,1,,,,6,5,102,1,30,,,,,1,{})", memory), 61307);
+  }
+  expect_untouched("$SCS_MEA_EMPIRIC_VALUE_NUM=4\nCYCLE998(105,1,,1,,,,6,5,102,1,30,,,,,1,5)",
+                   61307);
+  expect_measured("X-20 Y-27\nZ-5\nCYCLE998(105,1,,1,,,,6,5,102,1,30,,,,,1,20)",
+                  {kSquareBlock, kCalibrated}, {{"_OVI[7]", 20.0}});
+}
+
+// Angles by which all four points lie on one line.
+TEST(MeasuringFaults, CornersWithoutAnAngle) {
+  for (const char* const angle : {"", "0", "180", "-180", "200"}) {
+    expect_untouched(fmt::format("CYCLE961(8,,1,20,45,12,26,,,,,,,0,{},,10,5)", angle), 61331);
+  }
+}
+
+// The position of the corner is told by the angle, 270 degrees at most, or by S_MVAR.
+TEST(MeasuringFaults, CornersAtAnglesBeyondTheirRange) {
+  for (const char* const call :
+       {"CYCLE961(6,,1,20,45,15,,,,,,,,300,,,10,5)", "CYCLE961(6,,1,20,45,15,,,,,,,,-271,,,10,5)",
+        "CYCLE961(10006,,1,20,45,15,,,,,,,,91,,,10,5)",
+        "CYCLE961(10008,,1,20,45,12,26,,,,,,,46,90,,10,5)"}) {
+    expect_untouched(call, 61331);
+  }
+  // The reference edge runs upwards; the other one is reached by a negative distance.
+  for (const char* const angle : {"90", "-270"}) {
+    SCOPED_TRACE(angle);
+    expect_measured(fmt::format("X-42 Y-32\nZ-5\nCYCLE961(6,,1,20,35,-15,,,,,,,,{},,,10,5)", angle),
+                    {kSquareBlock, kCalibrated}, {{"_OVR[5]", -30.0}, {"_OVR[6]", -20.0}});
+  }
+}
+
+TEST(MeasuringFaults, PlanesThatAreMirroredOnAMillingMachine) {
+  for (const char* const axis : {"X", "Y"}) {
+    for (const char* const call :
+         {"CYCLE978(0,,,1,0,5,5,3,2)", "CYCLE976(0,1,0,,,,5,5)", "CYCLE977(2,,,1,40,,,2,5)"}) {
+      expect_untouched(fmt::format("MIRROR {}0\n{}", axis, call), 61310);
+    }
+  }
+  // Half a turn, and a mirrored tool axis, leave the plane what it is.
+  const std::string ring = ring_aside();
+  expect_measured("MIRROR X0 Y0\nZ-5\nCYCLE977(1,,,1,40,,,2,5)", {ring, kCalibrated},
+                  {{"_OVR[5]", -0.2}, {"_OVR[6]", 0.3}}, 1e-4);
+}
+
+// From the middle of the ball the trigger is a radius, and 0 none.
+TEST(MeasuringFaults, ATouchAlongTheToolWithoutItsTrigger) {
+  const std::string from_middle = "$MNS_MEA_FUNCTION_MASK=9\n$TC_DP3[1,1]=117\nD1\n";
+  expect_untouched(from_middle + "CYCLE978(0,,,1,0,5,5,3,2)", 61341);
+  expect_untouched(from_middle + "CYCLE998(6,,,1,,,,6,5,,,,30,0,0,20)", 61341);
+  expect_measured(from_middle +
+                      "$SNS_MEA_WP_TRIG_MINUS_DIR_AX3[0]=-3\nZ8\n"
+                      "CYCLE978(0,,,1,0,5,5,3,2)",
+                  {kSquareBlock, kCalibrated}, {{"_OVR[4]", 0.0}});
+}
+
+TEST(MeasuringFaults, ANegativeSafeAreaHasNothingInIt) {
+  const MeasuringRun run = run_measuring("Z4\nCYCLE978(100,1,,1,0,5,-1,3,2)",
+                                         {kSquareBlock, kCalibrated}, {"$P_UIFR[1,Z,FI]"});
+  EXPECT_EQ(run.alarm(), 61303);
+  EXPECT_EQ(run.at("$P_UIFR[1,Z,FI]"), 0.0);
+}
+
+TEST(MeasuringFaults, AnEdgeThatTheToolDoesNotHave) {
+  const MeasuringRun run =
+      run_measuring("Z4\nCYCLE978(200,,4000003,1,0.1,5,5,3,2,1,\"MILL\")",
+                    {kSquareBlock, kCalibrated}, {"_OVR[20]", "_OVI[9]", "$TC_DP3[2,1]"});
+  EXPECT_EQ(run.alarm(), 61404) << run.output.errors;
+  EXPECT_EQ(run.at("_OVI[9]"), 61404.0);
+  EXPECT_EQ(run.at("_OVR[20]"), 0.0);
+  EXPECT_EQ(run.at("$TC_DP3[2,1]"), 80.0);
+}
+
+// As of every other cycle.
+TEST(MeasuringFaults, AnUnknownCalibrationLeavesItsCycleAndARefusedOneItsSafeArea) {
+  const MeasuringRun unknown =
+      run_measuring("CYCLE976(6,1,39,,,,5,8)", {ring_aside()}, {"_OVI[2]", "_OVI[9]"});
+  EXPECT_EQ(unknown.at("_OVI[2]"), 976.0);
+  EXPECT_EQ(unknown.at("_OVI[9]"), 61307.0);
+  const MeasuringRun far =
+      run_measuring("Z-5\nCYCLE976(2,1,40,,,,5,1.5)", {ring_aside()}, {"_OVR[28]", "_OVI[9]"});
+  EXPECT_EQ(far.at("_OVI[9]"), 61303.0);
+  EXPECT_EQ(far.at("_OVR[28]"), 1.5);
 }
 
 }  // namespace

@@ -221,8 +221,9 @@ TEST(ThreeBalls, FitTheirTriangleInEveryPlane) {
                                set[ball][plane.axes[i]], (fixture * set[ball])[plane.axes[i]]);
       }
     }
-    const MeasuringRun run = run_on_sheets(program + "_MC_FIT(1,WANTED,THERE,0.001)",
-                                           {kMeasuringSheet, kCalibrated}, kFrameOf54);
+    const MeasuringRun run =
+        run_on_sheets(program + "_MC_DATUM(1,TRUE)\n_MC_FIT(1,WANTED,THERE,0.001)",
+                      {kMeasuringSheet, kCalibrated}, kFrameOf54);
     ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
     EXPECT_LT(apart(frame_left_by(run, kFrameOf54), Eigen::Translation3d(kG54) * fixture), 1e-9);
   }
