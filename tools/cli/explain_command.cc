@@ -172,9 +172,6 @@ bool add_topic(const std::string& topic, const ExplainOptions& options,
   runtime::Entries named = options.search ? runtime::Entries() : manual::explain(topic, control);
   std::ranges::move(options.search ? runtime::Entries() : exit_entries(topic),
                     std::back_inserter(named));
-  if (named.empty() && !options.search && options.control.empty()) {
-    named = entries_of_other_control(topic);
-  }
   if (!named.empty()) {
     std::ranges::move(named, std::back_inserter(answer.entries));
     return true;
@@ -183,6 +180,12 @@ bool add_topic(const std::string& topic, const ExplainOptions& options,
   runtime::Entries found = manual::search(everything_of(control), topic);
   if (!found.empty()) {
     answer.found.push_back({topic, std::move(found), suggestion.other_control});
+    return true;
+  }
+  named = options.search || !options.control.empty() ? runtime::Entries()
+                                                     : entries_of_other_control(topic);
+  if (!named.empty()) {
+    std::ranges::move(named, std::back_inserter(answer.entries));
     return true;
   }
   std::fputs(unknown_text(topic, control, suggestion).c_str(), stderr);
