@@ -55,6 +55,10 @@ TEST(ProgramTexts, TellWhatPlacesSay) {
        "CASE NR OF 61301 GOTOF A301 61302 GOTOF A302 DEFAULT GOTOF OUT\nA301: TEXT=\"one\" ; do\n"
        "A302: TEXT=\"two; half\"\nA303: TEXT=\"three\"\nOUT: SETAL(NR,TEXT)\n",
        {"ALARM 61301|61301|alarm|61301 one|do|", "ALARM 61302|61302|alarm|61302 two; half||"}},
+      {"labels of CASE that are no alarms",
+       "CASE KIND OF 1 GOTOF ONE 976 GOTOF BALL DEFAULT GOTOF OUT\nONE: TEXT=\"=\"\n"
+       "BALL: TEXT=\"Ball diameter\"\n",
+       {}},
       {"broken texts", "PROC\nDEF\nDEF CHAN\nDEFINE\nCASE\nSETAL(\n;\n\"\n; [\nDEF REAL ,,\n", {}},
   };
   for (const Case& c : kCases) {

@@ -134,12 +134,14 @@ class TextReader {
     add({name, "", {"macro", name, said_, {{"stands for", std::string(rest)}}}});
   }
 
-  /// x OF 61301 GOTOF A301 61302 GOTOF A302 ...
+  /// x OF 61301 GOTOF A301 61302 GOTOF A302 ...  Below the alarms of cycles it tells other cases
+  /// apart.
   void alarm_numbers(std::string_view rest) {
+    constexpr int kFirstOfCycles = 60000;
     std::optional<int> number;
     while (!rest.empty()) {
       const std::string_view word = take_word(rest);
-      if (word == "GOTOF" && number) {
+      if (word == "GOTOF" && number.value_or(0) >= kFirstOfCycles) {
         numbers_[std::string(take_word(rest))] = *number;
       }
       number = number_in_front(word);
