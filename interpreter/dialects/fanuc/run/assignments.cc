@@ -14,6 +14,31 @@
 
 namespace g31::fanuc {
 
+namespace {
+
+/// What a variable shows when nobody asks for it.
+std::optional<Cell> looked_at(Control& control, std::int32_t number) {
+  const runtime::LookFromOutside look(control.touches);
+  const auto value = control.all_variables.read(number);
+  return value ? std::optional(value.value()) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<AlarmId> write_variable(Control& control, const CallStack& stack, std::int32_t number,
+                                      Cell value) {
+  runtime::BlockListener* const listener = control.watch.write_listener();
+  const Cell before = listener != nullptr ? looked_at(control, number).value_or(Cell()) : Cell();
+  if (const auto refused = control.all_variables.write(number, value)) {
+    return refused;
+  }
+  if (listener != nullptr) {
+    listener->on_write({fmt::format("#{}", number), before,
+                        looked_at(control, number).value_or(value), stack.here()});
+  }
+  return std::nullopt;
+}
+
 MaybeFailure Assignments::assign(const Step& step) {
   const CompiledProgram& program = *frame().program;
   std::int32_t number = step.number;
@@ -28,34 +53,17 @@ MaybeFailure Assignments::assign(const Step& step) {
   if (control_.evaluator.failed()) {
     return evaluation_failure(control_.evaluator);
   }
-  const bool is_heard = control_.watch.write_listener() != nullptr;
-  const Cell before = is_heard ? looked_at(number).value_or(Cell()) : Cell();
-  if (const auto refused = control_.all_variables.write(number, value)) {
+  if (const auto refused = write_variable(control_, stack_, number, value)) {
     Failure failure;
     failure.id = *refused;
     failure.where = program.tree->blocks[step.block].span;
     failure.detail = fmt::format("#{} cannot be written", number);
     return failure;
   }
-  if (is_heard) {
-    tell_write(number, before, value);
-  }
   if (control_.touches.missed.any()) {
     control_.touches.missed.assigns(holder_of(control_.variables.depth(), number));
   }
   return assigned_system_variable(number, value.or_zero());
-}
-
-/// What a variable shows when nobody asks for it.
-std::optional<Cell> Assignments::looked_at(std::int32_t number) {
-  const runtime::LookFromOutside look(control_.touches);
-  const auto value = control_.all_variables.read(number);
-  return value ? std::optional(value.value()) : std::nullopt;
-}
-
-void Assignments::tell_write(std::int32_t number, Cell before, Cell written) {
-  control_.watch.write_listener()->on_write(
-      {fmt::format("#{}", number), before, looked_at(number).value_or(written), stack_.here()});
 }
 
 /// What an assignment to #3000 or #3006 sets off, with the comment behind it as text.

@@ -8,6 +8,10 @@
 
 namespace g31::fanuc {
 
+/// Writes a variable for the block that runs, and tells who listens to writes.
+std::optional<AlarmId> write_variable(Control& control, const CallStack& stack, std::int32_t number,
+                                      Cell value);
+
 /// Statements that give variables values and names.
 class Assignments {
  public:
@@ -19,8 +23,6 @@ class Assignments {
   MaybeFailure set_names(const Step& step);
 
  private:
-  std::optional<Cell> looked_at(std::int32_t number);
-  void tell_write(std::int32_t number, Cell before, Cell written);
   MaybeFailure assigned_system_variable(int number, double value);
   [[nodiscard]] const Frame& frame() const { return stack_.frame(); }
 

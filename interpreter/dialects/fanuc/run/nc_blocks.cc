@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/run/assignments.h"
 #include "interpreter/source/readable_text.h"
 
 namespace g31::fanuc {
@@ -122,7 +123,7 @@ MaybeFailure NcBlocks::ask_for_key(source::Location where) {
   }
   const auto key = static_cast<unsigned char>(control_.keys_left.front());
   control_.keys_left.erase(0, 1);
-  const auto refused = control_.all_variables.write(number.value(), Cell(key));
+  const auto refused = write_variable(control_, stack_, number.value(), Cell(key));
   return refused ? MaybeFailure(at_word(*refused, *p, "the variable cannot be written"))
                  : std::nullopt;
 }
