@@ -262,7 +262,7 @@ void FanucTranslation::add_unsimulated(const Word& code) {
 /// Which program a call names; empty: only a run knows.
 std::string FanucTranslation::target_of(const Word& p) const {
   return p.form == ValueForm::Name
-             ? to_text(fanuc::key_of_name(fanuc::between_angles(program_.file->text(), p.span)))
+             ? to_text(fanuc::key_between_angles(program_.file->text(), p.span))
          : p.form == ValueForm::Integer ? fmt::format("O{:04}", p.number)
                                         : std::string();
 }

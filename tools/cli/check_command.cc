@@ -181,8 +181,8 @@ ExitCode list_rules(const CheckOptions& options) {
 ExitCode check_command(const CheckOptions& options) {
   const bool is_for_people = options.format == CheckOptions::Format::Text;
   if (const auto wrong =
-          wrong_place({{"--json", options.json, true}, {"--format", is_for_people ? "" : "-"}},
-                      {options.files, options.setups, {options.baseline}})) {
+          wrong_outputs({{"--json", options.json, true}, {"--format", is_for_people ? "" : "-"}},
+                        {options.files, options.setups, {options.baseline}})) {
     return refuse(*wrong);
   }
   if (const auto wrong = why_not(options)) {

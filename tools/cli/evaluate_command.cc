@@ -246,7 +246,7 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   const auto refused = [&options](const session::Refusal& wrong) {
     return refuse(wrong, options.json, "g31.evaluation/1");
   };
-  if (const auto wrong = wrong_place(
+  if (const auto wrong = wrong_outputs(
           {{"--json", options.json, true},
            {"--svg", options.svg, true},
            {"--report", options.report},

@@ -31,7 +31,7 @@ ExitCode judge_command(const JudgeOptions& options) {
     return refuse(wrong, options.json, "g31.judgement/1");
   };
   if (const auto wrong =
-          wrong_place({{"--json", options.json, true}}, {{options.plan, options.results}})) {
+          wrong_outputs({{"--json", options.json, true}}, {{options.plan, options.results}})) {
     return refuse(*wrong);
   }
   if (options.plan == "-" && options.results == "-") {

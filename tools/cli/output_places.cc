@@ -66,8 +66,20 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
       return session::bad_input(fmt::format("{} and {} cannot both be {}", taken->option,
                                             output->option, is_stream ? "standard output" : path));
     }
-    if (const auto why = output->is_written_last ? disk::why_not_begun(path) : std::nullopt) {
-      return session::bad_input(fmt::format("{} {}: cannot write: {}", output->option, path, *why));
+  }
+  return std::nullopt;
+}
+
+std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& outputs,
+                                              const std::vector<std::vector<std::string>>& inputs) {
+  if (auto wrong = wrong_place(outputs, inputs)) {
+    return wrong;
+  }
+  for (const OutputPlace& output : outputs) {
+    const bool is_asked = output.is_written_last && !output.path.empty();
+    if (const auto why = is_asked ? disk::why_not_begun(output.path) : std::nullopt) {
+      return session::bad_input(
+          fmt::format("{} {}: cannot write: {}", output.option, output.path, *why));
     }
   }
   return std::nullopt;

@@ -23,10 +23,14 @@ std::string why_no_place(const std::string& text);
 /// Of a text that is to say where printouts go: the same.
 std::string why_no_printer(const std::string& text);
 
-/// Why outputs may not be where they are wanted: a file that is to be read is there, another output
-/// is to be, or nothing can be written there.
+/// Why outputs may not be where they are wanted: a file that is to be read is there, or another
+/// output is to be.
 /// @param inputs  lists of files and folders that the command reads, or has read
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
                                             const std::vector<std::vector<std::string>>& inputs);
+
+/// The same before the work, when it is also asked whether those that are written last can be.
+std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& outputs,
+                                              const std::vector<std::vector<std::string>>& inputs);
 
 }  // namespace g31::cli

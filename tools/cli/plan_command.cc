@@ -270,8 +270,8 @@ Wrong wrong_output(const PlanOptions& options) {
     outputs.push_back({"-o", (fs::path(options.folder) / name).string()});
   }
   outputs.push_back({"--json", options.json, true});
-  return wrong_place(outputs,
-                     {{options.product, options.stock, options.setup, options.as_machined}});
+  return wrong_outputs(outputs,
+                       {{options.product, options.stock, options.setup, options.as_machined}});
 }
 
 }  // namespace

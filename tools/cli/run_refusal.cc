@@ -116,16 +116,17 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
   return code;
 }
 
+std::vector<OutputPlace> run_outputs(const RunOptions& options) {
+  return {{"--json", options.json, true},   {"--jsonl", options.jsonl},
+          {"--report", options.report},     {"--trace", options.trace},
+          {"--readings", options.readings}, {"--printer", options.printer}};
+}
+
 }  // namespace
 
 std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
                                                const std::vector<std::string>& read) {
-  return wrong_place({{"--json", options.json, true},
-                      {"--jsonl", options.jsonl},
-                      {"--report", options.report},
-                      {"--trace", options.trace},
-                      {"--readings", options.readings},
-                      {"--printer", options.printer}},
+  return wrong_place(run_outputs(options),
                      {options.programs, options.setups, {options.compare}, read});
 }
 
@@ -136,7 +137,8 @@ void tell_usage_error(const RunOptions& options, const std::string& json, const 
 }
 
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
-  if (const auto wrong = wrong_place_of(options, {})) {
+  if (const auto wrong = wrong_outputs(run_outputs(options),
+                                       {options.programs, options.setups, {options.compare}})) {
     return refuse(*wrong);
   }
   const disk::WaitingLimit limit(options.budget.wall_seconds);

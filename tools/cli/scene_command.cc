@@ -175,8 +175,8 @@ Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {
 ExitCode scene_command(const SceneOptions& options) {
   const disk::WaitingLimit limit(options.run.budget.wall_seconds);
   if (const auto wrong =
-          wrong_place({{"-o", options.output, true}, {"--json", options.run.json, true}},
-                      {options.run.programs, options.run.setups})) {
+          wrong_outputs({{"-o", options.output, true}, {"--json", options.run.json, true}},
+                        {options.run.programs, options.run.setups})) {
     return refuse(*wrong);
   }
   const auto done = do_scene(options);

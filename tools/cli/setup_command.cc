@@ -15,7 +15,7 @@ namespace g31::cli {
 
 ExitCode setup_command(const SetupOptions& options) {
   if (const auto wrong =
-          wrong_place({{"--json", options.json, true}}, {options.programs, options.setups})) {
+          wrong_outputs({{"--json", options.json, true}}, {options.programs, options.setups})) {
     return refuse(*wrong);
   }
   const auto reviewed = review::review(options);

@@ -104,15 +104,18 @@ Result<std::optional<study::Shard>, Refusal> asked_shard(const StudyOptions& opt
   return shard;
 }
 
+std::vector<OutputPlace> study_outputs(const StudyOptions& options) {
+  return {{"--json", options.json, true},
+          {"--csv", options.csv, true},
+          {"--svg", options.svg, true},
+          {"--report", options.report}};
+}
+
 /// Why something that the study writes may not be where it is wanted.
 /// @param read  what the study reads
 std::optional<Refusal> wrong_place_of(const StudyOptions& options,
                                       const std::vector<std::string>& read) {
-  return wrong_place({{"--json", options.json, true},
-                      {"--csv", options.csv, true},
-                      {"--svg", options.svg, true},
-                      {"--report", options.report}},
-                     {options.merge, {options.study}, read});
+  return wrong_place(study_outputs(options), {options.merge, {options.study}, read});
 }
 
 Made run_study(const StudyOptions& options) {
@@ -278,7 +281,7 @@ ExitCode study_command(const StudyOptions& options) {
     return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"), options.json,
                   kStudySchema);
   }
-  if (const auto wrong = wrong_place_of(options, {})) {
+  if (const auto wrong = wrong_outputs(study_outputs(options), {options.merge, {options.study}})) {
     return refuse(*wrong);
   }
   if (const auto wrong = wrong_report(options.report)) {

@@ -177,11 +177,11 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
 }
 
 PartFile::~PartFile() {
-  if (file_ != nullptr) {
+  if (file_ != nullptr && temporary_.empty()) {
     close();
-    if (!temporary_.empty()) {
-      std::remove(temporary_.c_str());
-    }
+  } else if (file_ != nullptr) {
+    std::fclose(file_);  // nothing of it stays, so the disk need not have it
+    std::remove(temporary_.c_str());
   }
 }
 

@@ -239,7 +239,7 @@ Operand ExpressionCompiler::emit_call(const Expr& expr) {
     }
   }
   const bool is_listed = expr.b != kNone && expr.op != Operator::Divide;
-  if (is_listed && !profile_.has_series_30i_functions &&
+  if (is_listed && !profile_.has_series_30i_functions() &&
       info(static_cast<FunctionId>(expr.function)).arguments == Arguments::OneOrTwo) {
     misused(AlarmId::ExpressionFormat, expr.span, "this control takes ATAN[y]/[x], no comma");
   }

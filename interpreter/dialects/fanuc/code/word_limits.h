@@ -86,7 +86,7 @@ inline constexpr double kThousandth = 0.001;
 /// thousandths (MB-299).
 inline bool is_scale_factor(const EvaluatedWord& word, const Profile& profile) {
   return profile.scale_is_factor ||
-         (word.form != syntax::ValueForm::Integer && profile.has_series_30i_functions);
+         (word.form != syntax::ValueForm::Integer && profile.has_series_30i_functions());
 }
 /// What it comes to.  @param by_axis  I, J or K: a factor below 0 mirrors
 MaybeWrong wrong_scale(double factor, bool by_axis);

@@ -14,7 +14,6 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kToolChange = 6;
 constexpr GNumber kToolReplacement{100, 0};
 
 void end_canned_cycle(Control& control) {

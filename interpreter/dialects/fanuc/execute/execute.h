@@ -10,7 +10,8 @@ namespace g31::fanuc {
 
 struct Codes;
 
-inline constexpr int kToolAxis = 2;  ///< Z: the spindle of a vertical machining centre
+inline constexpr int kToolAxis = 2;    ///< Z: the spindle of a vertical machining centre
+inline constexpr int kToolChange = 6;  ///< M6
 
 /// One NC block at work: its words and the G codes found in them.
 struct NcBlock {

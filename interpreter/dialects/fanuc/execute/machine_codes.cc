@@ -10,7 +10,6 @@ namespace {
 constexpr int kClockwise = 3;
 constexpr int kCounterclockwise = 4;
 constexpr int kStop = 5;
-constexpr int kChange = 6;
 constexpr int kOrientation = 19;
 constexpr std::int32_t kToolInSpindle = 3026;  // the variable that shows it on a Haas
 
@@ -61,7 +60,7 @@ void command(Control& control, const BlockWords& words, int code) {
     case kStop:
       turn(control, machine::Rotation::Stopped);
       break;
-    case kChange:
+    case kToolChange:
       if (!control.profile.replaces_tools) {
         change_tool(control);
       }

@@ -13,7 +13,6 @@
 #include "interpreter/source/readable_text.h"
 
 namespace g31::fanuc {
-
 namespace {
 
 /// What a variable shows when nobody asks for it.

@@ -25,7 +25,7 @@ const CompiledProgram* CalledPrograms::find(const ProgramKey& key) {
 Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWord& p,
                                                                const CompiledProgram& caller) {
   if (p.form == syntax::ValueForm::Name) {
-    const ProgramKey key = key_of_name(between_angles(caller.file->text(), p.span));
+    const ProgramKey key = key_between_angles(caller.file->text(), p.span);
     const CompiledProgram* const named = find(key);
     return named != nullptr ? Result<const CompiledProgram*, Failure>(named)
                             : at_word(AlarmId::CalledNameNotFound, p, is_in_none(key));

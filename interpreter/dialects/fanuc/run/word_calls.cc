@@ -104,7 +104,7 @@ Result<bool, Failure> WordCalls::call_by_address(const EvaluatedWord& word) {
 /// Inside a program that a code called, codes call nothing; with parameter 6008.6 those of the
 /// other kind do (MB-208).
 bool WordCalls::may_call(CalledBy by) const {
-  const bool nests = control_.profile.has_series_30i_functions &&
+  const bool nests = control_.profile.has_series_30i_functions() &&
                      control_.parameters.is_on(ParameterId::NestedCodeCalls);
   for (const Frame& level : stack_.frames()) {
     if (level.by == by || (level.by != CalledBy::Program && !nests)) {

@@ -57,7 +57,7 @@ void CodeCalls::turn_over(const Parameters& before, const Parameters& now, const
 void CodeCalls::choose_addresses(const Parameters& parameters, const Profile& profile) {
   by_address = {};
   for (const SwitchedCall& row : kSwitchedCalls) {
-    if (parameters.is_on(row.parameter) && (profile.has_series_30i_functions || !row.only_30i)) {
+    if (parameters.is_on(row.parameter) && (profile.has_series_30i_functions() || !row.only_30i)) {
       by_address.at(static_cast<std::size_t>(row.letter - 'A')) = row.call;
     }
   }

@@ -17,7 +17,7 @@ namespace {
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
   const bool short_range =
-      profile.has_series_30i_functions && parameters.is_on(ParameterId::Range16i);
+      profile.has_series_30i_functions() && parameters.is_on(ParameterId::Range16i);
   rules.largest_result = short_range ? kLargestOf16i : profile.largest_result;
   rules.smallest_result = short_range ? kSmallestOf16i : profile.smallest_result;
   rules.digit_limit = profile.digit_limit;

@@ -101,7 +101,7 @@ bool Parser::program_number(Block& block) {
 /// `<PROBE-BORE>` in place of O and a number (MB-002).
 bool Parser::program_name(Block& block) {
   const ShortSpan name = name_in_angles();
-  open_program(key_of_name(between_angles(scanner_.text(), name)).number, name);
+  open_program(key_between_angles(scanner_.text(), name).number, name);
   block.kind = failed() ? BlockKind::Bad : block.kind;
   return true;
 }

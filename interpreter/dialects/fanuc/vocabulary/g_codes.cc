@@ -35,8 +35,6 @@ consteval bool g_codes_rise() {
 static_assert(g_codes_rise(), "g_codes.def: rows must rise, of one number by their set");
 
 constexpr std::size_t kKeys = 1000 * 10;
-using RowsByKey = std::array<std::uint8_t, kKeys>;
-
 constexpr std::size_t kSets = static_cast<std::size_t>(CodeSet::Brother) + 1;
 
 /// Row index + 1 by set and key: a million blocks look their codes up here.

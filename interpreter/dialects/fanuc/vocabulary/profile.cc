@@ -65,7 +65,6 @@ constexpr Profile fanuc_30i() {
   profile.word_digit_limit = 9;
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
-  profile.has_series_30i_functions = true;
   profile.functions = FunctionLevel::Series30i;
   profile.names = {100, 999, 31};
   profile.largest_sequence = 99999999;

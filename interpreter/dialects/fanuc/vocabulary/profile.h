@@ -137,8 +137,10 @@ struct Profile {
   double smallest_result = kSmallestOf16i;  ///< magnitude below it, but not 0, is alarm 111
   LogicOperands logic_operands = LogicOperands::Round;
   FeedCounts feed_counts;  ///< parameter 1403.0 of Fanuc: 1 mm/min beside 0.01 inch/min
-  bool has_series_30i_functions = false;
   FunctionLevel functions = FunctionLevel::Full;
+  [[nodiscard]] constexpr bool has_series_30i_functions() const {
+    return functions == FunctionLevel::Series30i;
+  }
 
   // Statements
   int largest_sequence = 99999;  ///< N and GOTO (MB-003, MB-172)

@@ -29,6 +29,10 @@ std::string_view between_angles(std::string_view text, syntax::ShortSpan name) {
   return is_name ? whole.substr(1, whole.size() - 2) : std::string_view();
 }
 
+ProgramKey key_between_angles(std::string_view text, syntax::ShortSpan name) {
+  return key_of_name(between_angles(text, name));
+}
+
 bool is_program_name(std::string_view name) {
   constexpr std::size_t kLongest = 32;
   const auto may_stand = [](char c) {

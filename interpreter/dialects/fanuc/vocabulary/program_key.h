@@ -26,6 +26,9 @@ ProgramKey key_of_name(std::string_view name);
 /// The name of a program.  @param name  `<BORE>` in a text; else the name is empty
 std::string_view between_angles(std::string_view text, syntax::ShortSpan name);
 
+/// What a call by such a text means.
+ProgramKey key_between_angles(std::string_view text, syntax::ShortSpan name);
+
 /// Whether a program may have this name: 1 to 32 letters, digits and - + _ .
 bool is_program_name(std::string_view name);
 
