@@ -106,7 +106,8 @@ set(g31_test_prelude <gtest/gtest.h> ${g31_quick_prelude})
 
 # A library is compiled several files at a time: templates that they share are made less often.  The files of a batch
 # share one anonymous namespace.
-option(G31_BATCHES "Compile libraries several files at a time" ON)
+option(G31_BATCHES "Compile libraries and tests several files at a time" ON)
+set(g31_batch 20)
 
 function(g31_library name)
   cmake_parse_arguments(arg "ACROSS_FILES" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
@@ -133,7 +134,7 @@ function(g31_library name)
     g31_take_prelude(${code} g31_prelude fast)
   endif()
   if(G31_BATCHES)
-    set_target_properties(${code} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
+    set_target_properties(${code} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${g31_batch})
   endif()
 endfunction()
 
@@ -185,17 +186,17 @@ function(g31_test)
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
   g31_link_file_by_file(${arg_NAME})
   g31_compile_quickly(${arg_NAME})
-  # The program's own libraries are checked, the code of their tests is not: it takes two fifths less to compile.
-  # Libraries of tests (tests/support) stay checked.
+  # The program's own libraries are checked, the code of their tests is not, and stack traces name no lines of it: it
+  # takes half the time to compile.  Libraries of tests (tests/support) stay checked.
   if(CMAKE_CXX_FLAGS MATCHES "sanitize")
-    target_compile_options(${arg_NAME} PRIVATE -fno-sanitize=all)
+    target_compile_options(${arg_NAME} PRIVATE -fno-sanitize=all -g0)
     # Under the address sanitizer Eigen aligns by itself: both sides have to, or one frees what the other took.
     target_compile_definitions(${arg_NAME} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=0)
   endif()
   g31_take_prelude(${arg_NAME} g31_test_prelude quick)
   # The names of a test file are in a namespace of its own, so that a batch of them compiles as one.
   if(G31_BATCHES)
-    set_target_properties(${arg_NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+    set_target_properties(${arg_NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${g31_batch})
   endif()
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
   if(CMAKE_CXX_FLAGS MATCHES "sanitize")
