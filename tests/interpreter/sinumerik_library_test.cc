@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/dialects/sinumerik/run/session.h"
+#include "tests/support/files_in_memory.h"
 #include "tests/support/recording_machine.h"
 
 namespace g31::sinumerik_library_test {
@@ -18,31 +19,7 @@ namespace {
 using runtime::Cell;
 using runtime::ShownValue;
 using sinumerik::ProgramLibrary;
-
-/// Files of one folder, "lib", beside a main file.
-class Files final : public source::FileSystem {
- public:
-  explicit Files(std::map<std::string, std::string> files) : files_(std::move(files)) {}
-  std::optional<std::string> read(const std::string& path) override {
-    ++reads_;
-    const auto found = files_.find(path);
-    return found != files_.end() ? std::optional(found->second) : std::nullopt;
-  }
-  std::vector<std::string> list(const std::string& folder) override {
-    std::vector<std::string> names;
-    for (const auto& [path, text] : files_) {
-      if (path.starts_with(folder + "/")) {
-        names.push_back(path.substr(folder.size() + 1));
-      }
-    }
-    return names;
-  }
-  [[nodiscard]] int reads() const { return reads_; }
-
- private:
-  std::map<std::string, std::string> files_;
-  int reads_ = 0;
-};
+using testing::FilesInMemory;
 
 /// A run of "main.mpf" with the folder "lib", and with "shipped" as what comes with the control.
 class ProgramRun {
@@ -66,7 +43,7 @@ class ProgramRun {
     const auto value = session_->variable(name);
     return value ? std::get<std::string>(value.value()) : value.error();
   }
-  [[nodiscard]] const Files& files() const { return files_; }
+  [[nodiscard]] const FilesInMemory& files() const { return files_; }
   /// "main.mpf:2", or "" where there is no place.
   [[nodiscard]] std::string line_of(const source::Location& where) const {
     const source::ShownPlace place = sources_.show(where);
@@ -74,7 +51,7 @@ class ProgramRun {
   }
 
  private:
-  Files files_;
+  FilesInMemory files_;
   source::SourceMap sources_;
   ProgramLibrary library_;
   testing::RecordingMachine machine_;
@@ -128,7 +105,7 @@ double r1_of_session(ProgramLibrary& library, const std::string& assignment, dou
 }
 
 TEST(SinumerikSession, AVariableAskedForFromOutsideIsNoReadingOfTheProgram) {
-  Files files(std::map<std::string, std::string>{{"main.mpf", "R1=1\nM30\n"}});
+  FilesInMemory files(std::map<std::string, std::string>{{"main.mpf", "R1=1\nM30\n"}});
   source::SourceMap sources(files);
   ProgramLibrary library(sources);
   library.add_file("main.mpf");
@@ -143,9 +120,9 @@ TEST(SinumerikSession, AVariableAskedForFromOutsideIsNoReadingOfTheProgram) {
 }
 
 TEST(SinumerikLibrary, IsReadOnceForAllSessionsWhichShareNoVariables) {
-  Files files({{"main.mpf", "COUNT=COUNT+R2\nTWICE(COUNT)\nM30\n"},
-               {"lib/gud.def", "DEF CHAN REAL COUNT=5\nM17\n"},
-               {"lib/twice.spf", "PROC TWICE(REAL A)\nR1=R1+2*A\nM17\n"}});
+  FilesInMemory files({{"main.mpf", "COUNT=COUNT+R2\nTWICE(COUNT)\nM30\n"},
+                       {"lib/gud.def", "DEF CHAN REAL COUNT=5\nM17\n"},
+                       {"lib/twice.spf", "PROC TWICE(REAL A)\nR1=R1+2*A\nM17\n"}});
   source::SourceMap sources(files);
   ProgramLibrary library(sources);
   library.add_file("main.mpf");
@@ -159,9 +136,10 @@ TEST(SinumerikLibrary, IsReadOnceForAllSessionsWhichShareNoVariables) {
 }
 
 TEST(SinumerikLibrary, WhatANameMeansDoesNotDependOnOtherSessions) {
-  Files files({{"main.mpf", "IF R2==1\nDEEP\nENDIF\nPART\nM30\n"},
-               {"lib/all.arc", "%_N_DEEP_SPF\nM17\n%_N_PART_SPF\n;$PATH=/_N_SPF_DIR\nR1=2\nM17\n"},
-               {"lib/part.spf", "R1=1\nM17\n"}});
+  FilesInMemory files(
+      {{"main.mpf", "IF R2==1\nDEEP\nENDIF\nPART\nM30\n"},
+       {"lib/all.arc", "%_N_DEEP_SPF\nM17\n%_N_PART_SPF\n;$PATH=/_N_SPF_DIR\nR1=2\nM17\n"},
+       {"lib/part.spf", "R1=1\nM17\n"}});
   source::SourceMap sources(files);
   ProgramLibrary library(sources);
   library.add_file("main.mpf");

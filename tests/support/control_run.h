@@ -8,25 +8,11 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/run/session.h"
-#include "interpreter/source/file_system.h"
 #include "machine/base/contract.h"
+#include "tests/support/files_in_memory.h"
 #include "tests/support/recording_machine.h"
 
 namespace g31::testing {
-
-/// Files that only exist in a test.
-class FilesInMemory final : public source::FileSystem {
- public:
-  explicit FilesInMemory(std::map<std::string, std::string> files) : files_(std::move(files)) {}
-  std::optional<std::string> read(const std::string& path) override {
-    const auto found = files_.find(path);
-    return found != files_.end() ? std::optional(found->second) : std::nullopt;
-  }
-  std::vector<std::string> list(const std::string&) override { return {}; }
-
- private:
-  std::map<std::string, std::string> files_;
-};
 
 /// A program run on one control over a recording machine, and what can be asked afterwards.
 class ControlRun final : public runtime::Observer {

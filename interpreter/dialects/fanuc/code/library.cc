@@ -1,14 +1,12 @@
 #include "interpreter/dialects/fanuc/code/library.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/text/parse.h"
-#include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/dialects/fanuc/text/tape_code.h"
 
 namespace g31::fanuc {
@@ -19,54 +17,6 @@ constexpr std::size_t kLook = 4096;
 
 /// Longer files are not read only to see whether they hold a program that was found already.
 constexpr std::size_t kLongestSubprogram = std::size_t{1} << 20;
-
-/// The program number that a file name says: optional O, digits, optional ending.
-std::optional<int> number_in_name(std::string_view name) {
-  const std::string_view stem = name.substr(0, name.find('.'));
-  const std::size_t skip = !stem.empty() && (stem[0] == 'O' || stem[0] == 'o') ? 1 : 0;
-  const std::string_view digits = stem.substr(skip);
-  int number = 0;
-  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const bool whole = !digits.empty() && end.ec == std::errc() && end.ptr == digits.end();
-  return whole && number > 0 ? std::optional(number) : std::nullopt;
-}
-
-/// Whether a text has this number behind an O or a colon anywhere.  Where it has not, no program of
-/// it has the number.
-bool writes_number(std::string_view text, int number) {
-  constexpr std::string_view kBegins = "Oo:";
-  constexpr int kMost = 99'999'999;
-  for (std::size_t at = text.find_first_of(kBegins); at != std::string_view::npos;
-       at = text.find_first_of(kBegins, at + 1)) {
-    int here = 0;
-    for (std::size_t i = at + 1; i < text.size() && here <= kMost; ++i) {
-      if (!is_digit(text[i]) && !counts_for_nothing(text[i])) {
-        break;
-      }
-      here = is_digit(text[i]) ? 10 * here + (text[i] - '0') : here;
-    }
-    if (here == number) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Whether a text may have the head of this program.
-bool writes_key(std::string_view text, const ProgramKey& key) {
-  return key.number != 0 ? writes_number(text, key.number) : text.find(to_text(key)) != text.npos;
-}
-
-/// JSON and HTML, as g31 itself leaves them beside programs whose numbers they name.
-bool is_document(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const std::string_view begin = first != text.npos ? text.substr(first) : "";
-  const std::string_view angles = begin.substr(0, begin.find('>') + 1);
-  const bool is_markup =
-      begin.starts_with('<') &&
-      !is_program_name(between_angles(angles, {0, static_cast<std::uint32_t>(angles.size())}));
-  return begin.starts_with('{') || is_markup;
-}
 
 /// Whether a program without a head has this name by its file: BORE, or BORE.NC.
 bool is_file_of(std::string_view path, std::string_view name) {
@@ -98,14 +48,10 @@ std::optional<std::size_t> place_in(const syntax::Tree& tree, std::string_view t
   return std::nullopt;
 }
 
-/// Whether a file of this text has such a program.
-bool has_program(std::string text, const ProgramKey& key) {
-  if (is_document(text)) {
-    return false;
-  }
+/// The text of a file as a control reads it.
+std::string as_read(std::string text) {
   use_line_feeds(text);
-  text = from_tape_code(std::move(text));
-  return writes_key(text, key) && place_in(parse(text), text, key).has_value();
+  return from_tape_code(std::move(text));
 }
 
 }  // namespace
@@ -120,10 +66,9 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   if (!text || text->size() >= std::numeric_limits<std::uint32_t>::max()) {
     return nullptr;
   }
-  use_line_feeds(*text);
   auto file = std::make_unique<File>();
   file->path = path;
-  file->source = &sources_.whole(path, from_tape_code(*std::move(text)));
+  file->source = &sources_.whole(path, as_read(*std::move(text)));
   file->tree = parse(file->source->text());
   loaded_.push_back(std::move(file));
   return loaded_.back().get();
@@ -153,10 +98,10 @@ void ProgramLibrary::add_folder(const std::string& folder) {
   Folder added;
   added.path = folder;
   for (const std::string& name : files_.list(folder)) {
-    if (const auto number = number_in_name(name)) {
+    if (const auto number = number_in_file_name(name)) {
       added.by_name.emplace(*number, name);
     } else {
-      added.unnamed.push_back(name);
+      added.unnamed.push_back({name, std::nullopt});
     }
   }
   folders_.push_back(std::move(added));
@@ -318,36 +263,43 @@ const CompiledProgram* ProgramLibrary::find_in(Folder& folder, const ProgramKey&
   }
   found = found != nullptr ? found : find_in_unnamed(folder, key);
   for (std::size_t i = 0; i < folder.unnamed.size() && found == nullptr; ++i) {
-    found = find_by_file(joined(folder.path, folder.unnamed[i]), key.name);
+    found = find_by_file(joined(folder.path, folder.unnamed[i].name), key.name);
   }
   return found;
 }
 
+/// Whether a file whose name says no number has such a program.  It is read as a program only for
+/// those that it writes.
+bool ProgramLibrary::has_program(UnnamedFile& file, const std::string& path,
+                                 const ProgramKey& key) {
+  if (file.heads && !file.heads->may_have(key)) {
+    return false;
+  }
+  const auto bytes = files_.size(path);
+  auto text = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
+  if (!text) {
+    return true;  // whether it can be read whole is seen when it is loaded
+  }
+  *text = as_read(*std::move(text));
+  if (!file.heads) {
+    file.heads.emplace(*text);
+  }
+  return file.heads->may_have(key) && place_in(parse(*text), *text, key).has_value();
+}
+
 /// The program of this number or name in files whose names say none.  A second one is told, where
 /// its file is no longer than subprograms are.
-const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder,
-                                                       const ProgramKey& key) {
+const CompiledProgram* ProgramLibrary::find_in_unnamed(Folder& folder, const ProgramKey& key) {
   const CompiledProgram* found = nullptr;
-  for (const std::string& name : folder.unnamed) {
-    const std::string path = joined(folder.path, name);
-    if (found != nullptr && files_.size(path).value_or(0) > kLongestSubprogram) {
-      continue;
-    }
-    // Looked into first: a file that does not have it is not read as a program.
-    const auto bytes = files_.size(path);
-    auto look = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
-    if (look && !has_program(*std::move(look), key)) {
-      continue;
-    }
-    File* const file = load(path);
-    if (file == nullptr) {
-      continue;
-    }
-    if (!place_in(file->tree, file->source->text(), key)) {
+  for (UnnamedFile& unnamed : folder.unnamed) {
+    const std::string path = joined(folder.path, unnamed.name);
+    const bool is_too_long = found != nullptr && files_.size(path).value_or(0) > kLongestSubprogram;
+    File* const file = !is_too_long && has_program(unnamed, path, key) ? load(path) : nullptr;
+    if (file == nullptr || !place_in(file->tree, file->source->text(), key)) {
       continue;
     }
     if (found != nullptr) {
-      report_twice(*found, {0, 1}, name);
+      report_twice(*found, {0, 1}, unnamed.name);
       break;
     }
     found = find_in(*file, key);

@@ -9,6 +9,7 @@
 
 #include "interpreter/dialects/fanuc/code/compile.h"
 #include "interpreter/dialects/fanuc/code/program_windows.h"
+#include "interpreter/dialects/fanuc/code/written_heads.h"
 #include "interpreter/source/diagnostic.h"
 #include "interpreter/source/source_map.h"
 
@@ -87,10 +88,15 @@ class ProgramLibrary {
     source::SourceFile text;
     File file;
   };
+  /// A file whose name says no number.
+  struct UnnamedFile {
+    std::string name;
+    std::optional<WrittenHeads> heads;  ///< none before it has been looked into
+  };
   struct Folder {
     std::string path;
     std::multimap<int, std::string> by_name;
-    std::vector<std::string> unnamed;  ///< files whose name says no number, not yet read
+    std::vector<UnnamedFile> unnamed;
   };
 
   CompiledProgram* compiled(File& file, std::size_t which);
@@ -98,7 +104,8 @@ class ProgramLibrary {
   const CompiledProgram* find_in(File& file, const ProgramKey& key);
   const CompiledProgram* find_in(const std::string& path, const ProgramKey& key);
   const CompiledProgram* find_in(Folder& folder, const ProgramKey& key);
-  const CompiledProgram* find_in_unnamed(const Folder& folder, const ProgramKey& key);
+  bool has_program(UnnamedFile& file, const std::string& path, const ProgramKey& key);
+  const CompiledProgram* find_in_unnamed(Folder& folder, const ProgramKey& key);
   const CompiledProgram* find_by_file(const std::string& path, const std::string& name);
   File* load(const std::string& path);
   const CompiledProgram* whole_main();
