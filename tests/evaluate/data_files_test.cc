@@ -42,6 +42,9 @@ TEST(DataFiles, OfInstrumentsAreRead) {
   const std::string commas = circle_rows(",", "\n");
   std::string decimal_commas = circle_rows(";", "\r\n");
   std::replace(decimal_commas.begin(), decimal_commas.end(), '.', ',');
+  std::string quoted = "\"" + circle_rows("\",\"", "\"\n\"");
+  std::replace(quoted.begin(), quoted.end(), '.', ',');
+  quoted.pop_back();
   std::string jitter = "t,X,Y\n" + commas;
   jitter.replace(jitter.find("0.300,"), 6, "0.3004,");
   std::string row_missing = "t,X,Y\n" + commas;
@@ -59,6 +62,13 @@ TEST(DataFiles, OfInstrumentsAreRead) {
       {"CR alone", "t,X,Y\r" + circle_rows(",", "\r"), {}, ""},
       {"comments, empty lines", "# scale 3\n\nt,X,Y\n# begin\n" + commas + "\n \n# end\n", {}, ""},
       {"other names", "zeit, x_act ,\"y act\"\n" + commas, {"t=zeit", "X=x_act", "Y=y act"}, ""},
+      {"commas in names", "\"Time, s\",\"X, mm\",Y\n" + commas, {R"("t=Time, s","X=X, mm")"}, ""},
+      {"semicolons, a comma in a name",
+       "t;\"X, mm\";Y\n" + circle_rows(";", "\n"),
+       {R"("X=X, mm")"},
+       ""},
+      {"a quote that nothing closes", "t,X,\"Y\n" + commas, {"Y=\"Y"}, ""},
+      {"decimal commas in quotes", "\"t\",\"X\",\"Y\"\n" + quoted, {}, ""},
       {"semicolons and decimal commas", "t;X;Y\r\n" + decimal_commas, {}, ""},
       {"tabs", "t\tX\tY\n" + circle_rows("\t", "\n"), {}, ""},
       {"a separator behind", "t,X,Y,\n" + circle_rows(",", ",\n"), {}, ""},
@@ -112,6 +122,10 @@ TEST(DataFiles, AreRefusedWithTheLine) {
       {"no rows", "t,X,Y\n", "data.csv: error: there are no rows"},
       {"a missing column", "t,X,Z\n1,2,3\n",
        "data.csv:1:1: error: there is no column Y; the columns are t, X, Z [DAT103]"},
+      {"a missing column, one with a comma in its name", "t,X,\"Y, mm\"\n1,2,3\n",
+       "there is no column Y; the columns are t, X, \"Y, mm\" [DAT103]"},
+      {"a comma without quotes", "t,X,Y\n0,\"1,5\",2\n0.1,1.5,2\n",
+       "data.csv:3:5: error: X is not a number: 1.5 has another decimal mark"},
       {"a column twice", "t,X,Y,X\n1,2,3,4\n", "data.csv:1:1: error: the column X appears twice"},
       {"two separators", "t;X,Y\n1;2,3\n",
        "data.csv:1:1: error: the column names contain commas and semicolons"},

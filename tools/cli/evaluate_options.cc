@@ -47,7 +47,6 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->add_option("--columns", options.columns,
                    "what the file calls its columns, for example X=x_act,Y=y_act")
       ->type_name("NAME=COLUMN,...")
-      ->delimiter(',')
       ->allow_extra_args(false);
   command
       ->add_option("--unit", options.unit,

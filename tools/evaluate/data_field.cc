@@ -1,8 +1,11 @@
 #include "tools/evaluate/data_field.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <string>
+#include <cstring>
+
+#include <fmt/format.h>
 
 namespace g31::evaluate {
 namespace {
@@ -12,22 +15,55 @@ double number_beyond(std::string_view field) {
   return std::strtod(std::string(field).c_str(), nullptr);
 }
 
+std::string_view without_blanks(std::string_view field) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = field.find_first_not_of(kBlanks);
+  return first == field.npos ? std::string_view()
+                             : field.substr(first, field.find_last_not_of(kBlanks) - first + 1);
+}
+
 }  // namespace
 
+bool is_quoted(std::string_view field) {
+  field = without_blanks(field);
+  return field.size() >= 2 && field.front() == '"' && field.back() == '"';
+}
+
 std::string_view bare(std::string_view field) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const auto trim = [&] {
-    const std::size_t first = field.find_first_not_of(kBlanks);
-    field = first == std::string_view::npos
-                ? std::string_view()
-                : field.substr(first, field.find_last_not_of(kBlanks) - first + 1);
-  };
-  trim();
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-    field = field.substr(1, field.size() - 2);
-    trim();
+  field = without_blanks(field);
+  return is_quoted(field) ? without_blanks(field.substr(1, field.size() - 2)) : field;
+}
+
+std::size_t field_end(std::string_view line, std::size_t begin, char separator) {
+  std::size_t from = std::min(begin, line.size());
+  while (from < line.size() && line[from] == ' ') {
+    ++from;
   }
-  return field;
+  if (from < line.size() && line[from] == '"') {
+    // A quote that nothing closes is part of the text.
+    const std::size_t close = line.find('"', from + 1);
+    from = close == line.npos ? from : close + 1;
+  }
+  const void* const found =
+      from < line.size() ? std::memchr(line.data() + from, separator, line.size() - from) : nullptr;
+  return found == nullptr ? line.size()
+                          : static_cast<std::size_t>(static_cast<const char*>(found) - line.data());
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  for (std::size_t at = 0;;) {
+    const std::size_t end = field_end(line, at, separator);
+    fields.push_back(bare(line.substr(at, end - at)));
+    if (end == line.size()) {
+      return fields;
+    }
+    at = end + 1;
+  }
+}
+
+std::string as_field(std::string_view text, char separator) {
+  return text.find(separator) == text.npos ? std::string(text) : fmt::format("\"{}\"", text);
 }
 
 std::optional<double> number_in(std::string_view field) {

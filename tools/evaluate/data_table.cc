@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -30,16 +29,18 @@ struct Separator {
 };
 constexpr Separator kSeparators[] = {{',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}};
 
-std::vector<std::string_view> split(std::string_view line, char separator) {
-  std::vector<std::string_view> fields;
-  for (std::size_t at = 0;;) {
-    const std::size_t end = line.find(separator, at);
-    fields.push_back(bare(line.substr(at, end - at)));
-    if (end == std::string_view::npos) {
-      return fields;
+/// Whether a line has a separator outside of double quotes; where their number is odd they are
+/// text.
+bool separates(char separator, std::string_view line) {
+  const bool quotes_close = std::ranges::count(line, '"') % 2 == 0;
+  bool is_quoted = false;
+  for (const char c : line) {
+    is_quoted = is_quoted != (c == '"' && quotes_close);
+    if (c == separator && !is_quoted) {
+      return true;
     }
-    at = end + 1;
   }
+  return false;
 }
 
 /// Digits behind the point; the most where a power of ten moves it.  From the end, where both
@@ -123,7 +124,7 @@ class TableReader {
     std::string seen;
     int kinds = 0;
     for (const Separator& separator : kSeparators) {
-      if (line_.find(separator.sign) != std::string_view::npos) {
+      if (separates(separator.sign, line_)) {
         separator_ = separator.sign;
         seen += fmt::format("{}{}", kinds > 0 ? " and " : "", separator.name);
         ++kinds;
@@ -132,7 +133,7 @@ class TableReader {
     if (kinds > 1) {
       return data_error(DataErrorId::MixedSeparators, file_, here(), {seen});
     }
-    const std::vector<std::string_view> names = split(line_, separator_);
+    const std::vector<std::string_view> names = fields_of(line_, separator_);
     wanted_at_.assign(names.size(), -1);
     if (auto wrong = why_not_renamed()) {
       return wrong;
@@ -193,27 +194,22 @@ class TableReader {
                                   const std::vector<std::string_view>& names) const {
     std::string list;
     for (const std::string_view there : names) {
-      list += fmt::format("{}{}", list.empty() ? "" : ", ", there);
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", as_field(there, ','));
     }
     const auto nearest = nearest_name(name, names);
-    return data_error(
-        DataErrorId::MissingColumn, file_, here(), {name, list},
-        fmt::format("--columns {}={} says which column is {}", column.name,
-                    nearest && !nearest->empty() ? *nearest : std::string_view("NAME"),
-                    column.name));
+    const std::string pair = fmt::format(
+        "{}={}", column.name, nearest && !nearest->empty() ? *nearest : std::string_view("NAME"));
+    const std::string word = as_field(pair, ',');
+    return data_error(DataErrorId::MissingColumn, file_, here(), {name, list},
+                      fmt::format("--columns {} says which column is {}",
+                                  word == pair ? pair : fmt::format("'{}'", word), column.name));
   }
 
   std::optional<DataError> read_row() {
     const std::size_t columns = wanted_at_.size();
     std::size_t field = 0;
     for (std::size_t at = 0;; ++field) {
-      const void* const found = at < line_.size()
-                                    ? std::memchr(line_.data() + at, separator_, line_.size() - at)
-                                    : nullptr;
-      const std::size_t end =
-          found == nullptr
-              ? line_.size()
-              : static_cast<std::size_t>(static_cast<const char*>(found) - line_.data());
+      const std::size_t end = field_end(line_, at, separator_);
       const std::string_view text = line_.substr(std::min(at, line_.size()), end - at);
       if (field < columns && wanted_at_[field] >= 0) {
         if (auto wrong = take(static_cast<std::size_t>(wanted_at_[field]), text)) {
@@ -222,7 +218,7 @@ class TableReader {
       } else if (field >= columns && !bare(text).empty()) {
         return data_error(DataErrorId::LongRow, file_, here(at), {std::to_string(columns)});
       }
-      if (found == nullptr) {
+      if (end == line_.size()) {
         break;
       }
       at = end + 1;
@@ -252,14 +248,15 @@ class TableReader {
       table_.columns_[i].texts.emplace_back(text);
       return std::nullopt;
     }
-    const auto number = separator_ == ',' ? number_in(text) : number_with_comma_in(text);
+    const bool may_have_comma = separator_ != ',' || is_quoted(field);
+    const auto number = may_have_comma ? number_with_comma_in(text) : number_in(text);
     const auto place = [&] { return here(static_cast<std::size_t>(text.data() - line_.data())); };
     const auto where = [&] { return text.empty() ? here() : place(); };
     if (!number || std::isnan(*number)) {
       return data_error(DataErrorId::NoNumber, file_, where(),
                         {column.name, text.empty() ? "there is nothing" : text});
     }
-    if (separator_ != ',' && !is_as_before(text)) {
+    if (may_have_comma && !is_as_before(text)) {
       return data_error(DataErrorId::NoNumber, file_, where(),
                         {column.name, fmt::format("{} has another decimal mark than a number "
                                                   "before, and may mean a thousand times that",

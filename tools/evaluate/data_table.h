@@ -65,9 +65,10 @@ inline constexpr double kLargestNumber = 1e12;
 /// Reads a table with a line of names first.
 ///
 /// Lines end in LF or CR LF; a byte order mark, empty lines and lines that begin with # are passed
-/// over.  What separates is the one of comma, semicolon and tab that the names hold; with one of
-/// the latter two a comma in a number is a decimal point.  Values may stand in double quotes and
-/// among blanks.  Numbers are finite, of sizes within these two.
+/// over.  What separates is the one of comma, semicolon and tab that stands between the names; with
+/// one of the latter two, and in double quotes, a comma in a number is a decimal point.  Names and
+/// values may stand in double quotes, where nothing separates, and among blanks.  Numbers are
+/// finite, of sizes within these two.
 Result<DataTable, DataError> read_table(const DataFile& file,
                                         const std::vector<WantedColumn>& wanted,
                                         const ColumnRules& rules);

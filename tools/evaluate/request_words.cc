@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "machine/base/nearest_name.h"
+#include "tools/evaluate/data_field.h"
 #include "tools/evaluate/option_values.h"
 
 namespace g31::evaluate {
@@ -39,12 +40,17 @@ Wrong take_kind(const std::string& word, Request& request) {
 }
 
 Wrong take_columns(const std::vector<std::string>& columns, Request& request) {
-  for (const std::string& text : columns) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-      return fmt::format("--columns {}: write NAME=COLUMN, for example X=x_act", text);
+  for (const std::string& list : columns) {
+    for (const std::string_view text : fields_of(list, ',')) {
+      const std::size_t equals = text.find('=');
+      if (equals == text.npos || equals == 0 || equals + 1 == text.size()) {
+        return fmt::format(
+            "--columns {}: write NAME=COLUMN, for example X=x_act; a name with a comma: "
+            R"('"X=X, mm"')",
+            text);
+      }
+      request.columns.names[std::string(text.substr(0, equals))] = text.substr(equals + 1);
     }
-    request.columns.names[text.substr(0, equals)] = text.substr(equals + 1);
   }
   return std::nullopt;
 }
@@ -115,10 +121,7 @@ Wrong take_option(const std::string& option, const std::string& value, RequestWo
     return std::nullopt;
   }
   if (option == "--columns") {
-    std::istringstream list(value);
-    for (std::string one; std::getline(list, one, ',');) {
-      words.columns.push_back(one);
-    }
+    words.columns.push_back(value);
     return std::nullopt;
   }
   std::vector<std::string_view> names = {"--magnify", "--columns"};
