@@ -120,6 +120,16 @@ TEST_F(Report, OfAFileOfReadingsHasItsResults) {
   EXPECT_TRUE(has(text_in(path()), R"(<table id="results">)"));
 }
 
+TEST_F(Report, OfReadingsNamesTheFileOfDiameters) {
+  const std::string rows =
+      folder_.write("rows.csv", "K,theta,A,B\n0,0,0,0\n1,0,0,0\n0,180,0,0\n1,180,0,0\n");
+  const std::string ends = folder_.write("ends.csv", "K,d\n0,40\n2,40\n");
+  g31({"evaluate", "cylindricity", rows, "--diameters", ends, "--step", "10", "--report", path()});
+  const std::string page = text_in(path());
+  EXPECT_TRUE(has(page, "rows.csv</code></td><td class=\"hash\">")) << page;
+  EXPECT_TRUE(has(page, "ends.csv</code></td><td class=\"hash\">"));
+}
+
 TEST_F(Report, OfAStudySaysWhichSetUpItSpeaksOf) {
   folder_.write("a.nc", "O1\n#501=#500*2\nM30\n");
   const std::string study =

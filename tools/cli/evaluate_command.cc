@@ -136,8 +136,10 @@ Wrong make_report(const EvaluateOptions& options, const evaluate::Evaluation& ev
   }
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
-  const page::PageOrigin origin{options.version, command.line(), page_inputs({options.file}),
-                                options.language, 0};
+  const page::PageOrigin origin{
+      options.version, command.line(),
+      page_inputs({options.file, file_given(options, evaluate::OptionId::Diameters)}),
+      options.language, 0};
   const std::string name = std::filesystem::path(options.file).filename().string();
   page::Report report = page::report_of(
       evaluation, name, evaluate::evaluation_document(evaluation, true, limits.of_passing_text()),

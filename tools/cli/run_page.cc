@@ -156,7 +156,9 @@ std::string language_given(page::Language language) {
 std::vector<page::Input> page_inputs(const std::vector<std::string>& paths) {
   RunInputs files;
   for (const std::string& path : paths) {
-    files.add(path);
+    if (!path.empty()) {
+      files.add(path);
+    }
   }
   std::vector<page::Input> inputs;
   for (const report::InputFile& file : files.files()) {

@@ -38,7 +38,7 @@ std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,
                                                      const report::RunResult& result,
                                                      const source::SourceMap& sources);
 
-/// Files that a page tells its reader of, with their hashes.
+/// Files that a page tells its reader of, with their hashes; an empty path is none.
 std::vector<page::Input> page_inputs(const std::vector<std::string>& paths);
 
 /// The text of a page; error: what it is made of is not there.

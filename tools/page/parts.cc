@@ -1,5 +1,7 @@
 #include "tools/page/parts.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
@@ -100,13 +102,17 @@ std::string motion_part(const Report& report) {
 
 std::string inputs_part(const Report& report) {
   const auto say = [&](Word name) { return word(report, name); };
+  const bool says_what =
+      std::ranges::any_of(report.inputs, [](const Input& input) { return !input.what.empty(); });
   std::string html = fmt::format(
-      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw tall" tabindex="0" role="region" aria-label="{3}"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
-      say(Word::InputsLimits), say(Word::File), say(Word::What),
+      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw tall" tabindex="0" role="region" aria-label="{3}"><table><thead><tr><th scope="col">{1}</th>{2}<th scope="col">SHA-256</th></tr></thead><tbody>)",
+      say(Word::InputsLimits), say(Word::File),
+      says_what ? fmt::format(R"(<th scope="col">{}</th>)", say(Word::What)) : "",
       table_label(report, say(Word::InputsLimits)));
   for (const Input& input : report.inputs) {
-    html += fmt::format(R"(<tr><td><code>{}</code></td><td>{}</td><td class="hash">{}</td></tr>)",
-                        escaped(input.file), escaped(input.what), input.sha256);
+    html += fmt::format(
+        R"(<tr><td><code>{}</code></td>{}<td class="hash">{}</td></tr>)", escaped(input.file),
+        says_what ? fmt::format("<td>{}</td>", escaped(input.what)) : "", input.sha256);
   }
   html += R"(</tbody></table></div><div class="limits">)";
   for (const std::string& limit : report.limits) {
