@@ -230,6 +230,8 @@ TEST(Judge, RefusesWrongPlansAtTheirPlace) {
                 {PLAN("[]"), "measures: expected a list of 1 to 100000"},
                 {PLAN("[5]"), "measures[0]: expected an object"},
                 {PLAN("[{\"nominal\": 1}]"), "measures[0]: id: expected 1 to 64"},
+                {PLAN("[{\"id\": \"D\", \"printed\": 7, \"nominal\": 1}]"),
+                 "measures[0]: printed: expected 1 to 64"},
                 {PLAN("[{\"id\": \"A B\", \"nominal\": 1}]"), "measures[0]: id: "},
                 {PLAN("[{\"id\": \"A\"}]"), "measures[0]: nominal: expected a length"},
                 {PLAN("[{\"id\": \"A\", \"nominal\": 1e7}]"), "measures[0]: nominal: "},

@@ -89,6 +89,14 @@ TEST(SetupHostile, Utf16IsToldAsSuch) {
   }
 }
 
+TEST(SetupHostile, PathsWithTheCharacter0AreRefused) {
+  for (const std::string_view table : {"[control]\nvariables_file", "[control]\nfiles",
+                                       "[machine]\nfile", "[[part]]\nname = \"p\"\nfile"}) {
+    EXPECT_EQ(read_hostile(std::string(table) + " = \"a\"\n"), 0U) << table;
+    EXPECT_NE(read_hostile(std::string(table) + " = \"a\\u0000b\"\n"), 0U) << table;
+  }
+}
+
 TEST(SetupHostile, DeepNestingIsRefused) {
   std::string dotted = "a";
   for (int i = 0; i < 200000; ++i) {

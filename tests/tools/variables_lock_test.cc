@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/captured.h"
 #include "tests/support/run_program.h"
 #include "tools/disk/file_lock.h"
 
@@ -169,11 +170,25 @@ TEST(VariablesLock, AFolderThatNobodyMayWriteInIsRefused) {
   });
   EXPECT_EQ(exit_code_of(child), 2);
   EXPECT_NE(text_of(said).find("kept/file.vars: the run could not save its variables here "
-                               "(Permission denied): make the folder writable"),
+                               "(Permission denied): there must be a folder that can be written"),
             std::string::npos)
       << text_of(said);
   EXPECT_EQ(text_of(kept + "/file.vars"), "#500=7\n");
   fs::permissions(kept, fs::perms::owner_all);
+}
+
+TEST(VariablesFile, InAFolderThatIsNotThereEndsTheRunBeforeItBegins) {
+  const TemporaryFolder folder;
+  for (const std::string place : {"none/file.vars", "sheet.toml/file.vars"}) {
+    const testing::CommandOutput output = testing::g31(
+        {"run", folder.write("count.nc", "O1\nPOPEN\nDPRNT[RAN]\nM30\n"), "-s",
+         folder.write("sheet.toml", "[control]\nvariables_file = \"" + place + "\"\n")});
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_EQ(output.out, "") << "the program has run";
+    EXPECT_NE(output.errors.find(place + ": the run could not save its variables here"),
+              std::string::npos)
+        << output.errors;
+  }
 }
 
 TEST(VariablesLock, IsNotNeededWhereNothingIsReplaced) {

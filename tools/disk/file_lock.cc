@@ -55,6 +55,17 @@ int opened(const std::string& path) {
   return descriptor >= 0 || errno != EACCES ? descriptor : ::open(path.c_str(), kHow | O_RDONLY);
 }
 
+/// Whether a file could not be made for want of a folder, by errno and a look: there are folders
+/// where nothing is made (/proc) and nothing replaced.
+bool lacks_folder(const std::string& path) {
+  const int reason = errno;
+  std::error_code unknown;
+  const bool is_lacking = (reason == ENOENT || reason == ENOTDIR) &&
+                          !fs::is_directory(fs::path(path).parent_path(), unknown);
+  errno = reason;
+  return is_lacking;
+}
+
 /// What came of one attempt; errno says why it failed.
 enum class Attempt { Taken, Gone, Failed };
 
@@ -85,7 +96,7 @@ Result<std::shared_ptr<FileLock>, LockRefusal> FileLock::take(const std::string&
   const auto start = LockClock::now();
   while (lock_path) {
     const int descriptor = opened(*lock_path);
-    if (descriptor < 0 && (errno == EACCES || errno == EROFS)) {
+    if (descriptor < 0 && (errno == EACCES || errno == EROFS || lacks_folder(*lock_path))) {
       return LockRefusal{LockRefusal::Kind::Unwritable, std::strerror(errno)};
     }
     if (descriptor < 0) {

@@ -41,9 +41,7 @@ Problem read_tolerance(const PlanJson& value, std::optional<Tolerance>& toleranc
 }
 
 Problem read_word(const PlanJson& value, std::string& word) {
-  if (value.is_string()) {
-    word = value.get<std::string>();
-  }
+  word = value.is_string() ? value.get<std::string>() : std::string();
   const auto stands_alone = [](char c) { return c > ' ' && c <= '~' && c != '='; };
   if (word.empty() || word.size() > kLongestName || !std::ranges::all_of(word, stands_alone)) {
     return fmt::format("expected 1 to {} ASCII characters without blanks and =", kLongestName);

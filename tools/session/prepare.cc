@@ -121,8 +121,8 @@ std::optional<Refusal> lock_variables(Prepared& prepared) {
   }
   if (lock.error().kind == disk::LockRefusal::Kind::Unwritable) {
     return bad_input(
-        fmt::format("{}: the run could not save its variables here ({}): make the folder writable, "
-                    "or name a variables_file in another one",
+        fmt::format("{}: the run could not save its variables here ({}): there must be a folder "
+                    "that can be written: make it so, or name a variables_file in another one",
                     path, lock.error().why));
   }
   prepared.note = fmt::format(

@@ -338,13 +338,23 @@ Checked expected_number(const Node& node, ValueType type) {
   return pair;
 }
 
+/// To the system a path ends at its first character 0.
+Checked path_value(const std::string& path) {
+  const std::size_t nul = path.find('\0');
+  return nul == path.npos ? Checked(SheetValue(path))
+                          : ValueProblem{SetupErrorId::OutOfRange,
+                                         fmt::format("\"{}\\u0000...\"", path.substr(0, nul)),
+                                         "a path without the character 0"};
+}
+
 Checked typed_value(const Node& node, ValueType type) {
   const auto* text = std::get_if<std::string>(&node.value);
   const auto* flag = std::get_if<bool>(&node.value);
   switch (type) {
     case ValueType::Text:
-    case ValueType::Path:
       return text != nullptr ? Checked(SheetValue(*text)) : Checked(wrong_type(node, type));
+    case ValueType::Path:
+      return text != nullptr ? path_value(*text) : Checked(wrong_type(node, type));
     case ValueType::NumberOrFlag:
       return flag != nullptr ? Checked(SheetValue(*flag ? 1.0 : 0.0)) : number_value(node, type);
     case ValueType::NumberOrVacant:
