@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/feed.h"
 
 namespace g31::fanuc {
 namespace {

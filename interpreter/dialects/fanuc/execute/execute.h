@@ -115,12 +115,6 @@ MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g);
 /// The axes to a machine position, whatever leads them, as G00 or G01 is in force.
 MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way);
 
-/// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
-Result<double, Failure> feed_in_force(const Control& control);
-
-/// A programmed feed as dry run and feed override change it, mm/min (MB-128, MB-268).
-double switched_feed(const Control& control, double feed_mm_min);
-
 /// Moves until the skip signal and tells the observer; #5061.. stay as they are.
 /// @returns the latched position (M), or nullopt when no signal came: then the axes stand at the
 ///          end and the caller says which programmed point that is

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/feed.h"
 
 namespace g31::fanuc {
 namespace {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/feed.h"
 
 // G35, G36, G37, G136 and M75 of a Haas: mill operator's manual 96-8000, pages 169 and 170.
 
