@@ -63,6 +63,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::RotationOff:
     case GAction::CycleOff:
     case GAction::StrokeCheck:
+    case GAction::FeedType:
     case GAction::SurfaceSpeed:
     case GAction::Unsimulated:
     case GAction::Refused:

@@ -284,7 +284,7 @@ void CutterCompensation::give_path(const PlanePoint& end) {
   given_.emplace_back(held_->block);
   PathBlock& path = std::get<PathBlock>(given_.back());
   path.q_M_end = plane_.moved(path.q_M_end, end);
-  if (path.arc && rules_.arc_feed != CompensationRules::ArcFeed::AtTool) {
+  if (path.arc && (path.feed_at_contour || rules_.arc_feed != CompensationRules::ArcFeed::AtTool)) {
     path.feed_mm_min = contour_feed();
   }
   if (path.arc && same_point(end, plane_.of(q_M_tool_))) {

@@ -508,14 +508,14 @@ TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {
   TemporaryFolder folder;
   cli::CheckOptions options;
   options.files = {
-      folder.write("case.nc", "O1\nG33 Z1. F1.\nG93 G1 X1. F2.\nG12 X1.\nG96 S100\nM30\n")};
+      folder.write("case.nc", "O1\nG33 Z1. F1.\nG7.1 C50.\nG12 X1.\nG96 S100\nM30\n")};
   options.control = "fanuc-16i";
   EXPECT_EQ(places(checked(options).text, folder),
             (std::vector<std::string>{
                 "case.nc:2:1: warning: alarm 10, G33, thread cutting: not simulated: a run ends "
                 "here [NC007]",
-                "case.nc:3:1: warning: alarm 10, G93, inverse time feed: not simulated: a run ends "
-                "here [NC007]",
+                "case.nc:3:1: warning: alarm 10, G7.1, cylindrical interpolation: not simulated: a "
+                "run ends here [NC007]",
                 "case.nc:5:1: warning: G96, constant surface speed: not simulated: a run passes "
                 "over it [NC007]"}));
   options.control = "haas";

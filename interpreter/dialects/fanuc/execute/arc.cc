@@ -106,22 +106,32 @@ double feed_on_arc(const Control& control, double feed_mm_min, double radius) {
   return std::min(feed_mm_min, std::max(least, most * std::sqrt(radius / of_radius)));
 }
 
-/// Moves along the arc and tells the observer.
-MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d& centre) {
-  const auto feed = feed_in_force(control);
-  if (!feed) {
-    return feed.error();
-  }
+/// The arc in path coordinates.
+path::ArcShape shape_of(const Control& control, const Arc& arc, const Eigen::Vector2d& centre) {
   AxisPositions q_W_centre = arc.q_W_start;
   q_W_centre[arc.plane.first] = centre.x();
   q_W_centre[arc.plane.second] = centre.y();
   const AxisPositions q_B_centre = control.coordinates.work_to_path(q_W_centre);
+  return {{q_B_centre[arc.plane.first], q_B_centre[arc.plane.second]}, arc.turn};
+}
+
+FeedWay way_of(const Control& control, const Arc& arc, const Eigen::Vector2d& centre) {
+  FeedWay way{control.coordinates.work_to_path(arc.q_W_start),
+              control.coordinates.work_to_path(arc.q_W_end)};
+  way.arc = shape_of(control, arc, centre);
+  return way;
+}
+
+/// Moves along the arc and tells the observer.
+MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d& centre,
+                        double feed_mm_min) {
   path::PathBlock block;
   block.q_M_end = control.coordinates.work_to_path(arc.q_W_end);
-  block.arc = path::ArcShape{{q_B_centre[arc.plane.first], q_B_centre[arc.plane.second]}, arc.turn};
+  block.arc = shape_of(control, arc, centre);
   block.g = arc.turn == Turn::Clockwise ? 2 : 3;
   const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
-  block.feed_mm_min = feed_on_arc(control, switched_feed(control, feed.value()), radius);
+  block.feed_mm_min = feed_on_arc(control, switched_feed(control, feed_mm_min), radius);
+  block.feed_at_contour = control.modal.inverse_time();
   block.where = control.block;
   block.ends = control.feed_end();
   block.contour_control = control.contour_control();
@@ -130,22 +140,22 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
 
 /// Scaled by unequal factors an arc stays an arc, with the radius of its start; a straight piece
 /// goes on from there to the end.
-MaybeFailure move_unequally_scaled(Control& control, const Arc& arc,
-                                   const Eigen::Vector2d& centre) {
+MaybeFailure move_unequally_scaled(Control& control, const Arc& arc, const Eigen::Vector2d& centre,
+                                   double feed_mm_min) {
   const Eigen::Vector2d to_end = in_plane(arc.q_W_end, arc.plane) - centre;
   const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
   const double stretched = to_end.norm();
   if (stretched == 0.0 || std::abs(stretched - radius) <= kChordTolerance) {
-    return move_along(control, arc, centre);
+    return move_along(control, arc, centre, feed_mm_min);
   }
   const Eigen::Vector2d on_arc = centre + to_end * (radius / stretched);
   Arc round = arc;
   round.q_W_end[arc.plane.first] = on_arc.x();
   round.q_W_end[arc.plane.second] = on_arc.y();
-  if (auto failure = move_along(control, round, centre)) {
+  if (auto failure = move_along(control, round, centre, feed_mm_min)) {
     return failure;
   }
-  return feed_to(control, control.coordinates.work_to_path(arc.q_W_end), 1);
+  return line_to(control, control.coordinates.work_to_path(arc.q_W_end), 1, feed_mm_min);
 }
 
 Turn programmed_turn(const Control& control) {
@@ -238,8 +248,12 @@ MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   if (unequal && control.cutter.wish.kind != path::CornerWish::Kind::Sharp) {
     return block_failure(AlarmId::ImproperCommand, ",C or ,R at an unequally scaled arc");
   }
-  auto failure = unequal ? move_unequally_scaled(control, arc, centre.value())
-                         : move_along(control, arc, centre.value());
+  const auto feed = feed_over(control, [&] { return way_of(control, arc, centre.value()); });
+  if (!feed) {
+    return feed.error();
+  }
+  auto failure = unequal ? move_unequally_scaled(control, arc, centre.value(), feed.value())
+                         : move_along(control, arc, centre.value(), feed.value());
   if (!failure) {
     control.coordinates.arrived_at_programmed(q_L_end);
   }

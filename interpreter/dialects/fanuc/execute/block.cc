@@ -168,6 +168,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   }
   const double feed_before = control.modal.feed;
   control.stops_exactly = false;
+  control.has_own_feed = false;
   const auto codes = take_words(control, words);
   if (!codes) {
     return codes.error();

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/feed.h"
 #include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
 #include "interpreter/dialects/fanuc/vocabulary/fine_feed.h"
 
@@ -61,6 +62,8 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     control.coordinates.end_shift_with_table();
   } else if (code.action == GAction::Motion || code.action == GAction::CycleOff) {
     end_canned_cycle(control);
+  } else if (code.action == GAction::FeedType && control.modal.inverse_time()) {
+    control.modal.feed = 0.0;  // strokes in a minute are no feed (M700V programming manual, 7.5)
   }
   control.modal.group[code.group] = code.number;
 }
@@ -170,6 +173,7 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, Codes&
         return refused();
       }
       control.modal.feed = written_feed(control, word);
+      control.has_own_feed = true;
       return std::nullopt;
     case 'D':
       if (is_measuring_distance(word.letter, codes.one_shot, control.profile)) {
@@ -246,6 +250,9 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
 /// A feed per revolution counts hundredths of a mm, or thousandths with parameter
 /// 1405.1 (inch: a tenth of that), one per minute what the control has for it, or parameter 1403.0.
 double counted_feed(const Control& control, const EvaluatedWord& word) {
+  if (control.modal.inverse_time()) {
+    return word.number / control.profile.inverse_time.counts;
+  }
   const bool inch = control.scale.unit == LengthUnit::Inch;
   if (control.modal.group[Group::FeedMode].whole != 95) {
     const bool fine = control.parameters.is_on(ParameterId::FineFeed);
@@ -296,6 +303,11 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   }
   if (auto failure = refuse_missing_axes(control, words, codes)) {
     return *std::move(failure);
+  }
+  if (control.modal.inverse_time()) {
+    if (auto failure = refuse_in_inverse_time(control, codes)) {
+      return *std::move(failure);
+    }
   }
   switch_contour_control(control, words, codes.contour_switch);
   const auto unit =

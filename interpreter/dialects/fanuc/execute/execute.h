@@ -112,6 +112,8 @@ AxisPositions programmed_end(Control& control, const NcBlock& block);
 MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::RapidPath way);
 /// The same at the feed in force; `g` is how the document names the move.
 MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g);
+/// The same at a feed in mm/min, which override and dry run change.
+MaybeFailure line_to(Control& control, const AxisPositions& q_B_end, int g, double feed_mm_min);
 /// The axes to a machine position, whatever leads them, as G00 or G01 is in force.
 MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way);
 

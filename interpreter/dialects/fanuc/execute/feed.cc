@@ -1,10 +1,91 @@
 #include "interpreter/dialects/fanuc/execute/feed.h"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
+namespace {
+
+/// The least strokes in a minute (FANUC operator's manual B-62764EN, 5; M700V programming manual,
+/// 7.5).
+constexpr double kLeastInverseTime = 0.001;
+
+/// As the machine counts the way.
+double length_of(const FeedWay& way) {
+  const AxisPositions d = way.q_end - way.q_from;
+  const double linear = linear_axes(d).norm();
+  const double rotary = rotary_axes(d).norm();
+  if (way.mm_per_degree == 0.0) {
+    return linear > 0.0 ? linear : rotary;
+  }
+  return std::hypot(linear, way.mm_per_degree * rotary);
+}
+
+/// The same of an arc: along its plane, as the machine counts that of a helix, too.
+double length_of_arc(const path::PlaneWay& way) {
+  const double from = (way.from - way.arc->centre).norm();
+  const double to = (way.to - way.arc->centre).norm();
+  return std::hypot((from + to) / 2.0 * path::sweep_rad(way), to - from);
+}
+
+/// What F of G93 is multiplied by, mm.
+double inverse_time_length(const Control& control, const FeedWay& way) {
+  if (!way.arc) {
+    return length_of(way);
+  }
+  const Plane plane = control.modal.plane();
+  const path::OffsetPlane axes{plane.first, plane.second};
+  const path::PlaneWay flat{axes.of(way.q_from), axes.of(way.q_end), way.arc};
+  return control.profile.inverse_time.of_arc == InverseTime::OfArc::Radius
+             ? (flat.from - flat.arc->centre).norm()
+             : length_of_arc(flat);
+}
+
+/// Where the way of the present block begins, in path coordinates: a block that waits for others
+/// ends where it is programmed to.
+AxisPositions start_of_way(const Control& control) {
+  const CutterStage& cutter = control.cutter;
+  return cutter.corners.holds() || cutter.compensation.engaged()
+             ? control.coordinates.to_path(control.coordinates.programmed())
+             : control.path_position();
+}
+
+}  // namespace
+
+double mm_per_degree(const Control& control) {
+  return control.coordinates.tip_system() != TipSystem::None ? 0.0 : control.scale.mm_per_unit();
+}
+
+FeedWay straight_way(const Control& control, const AxisPositions& q_B_end) {
+  return {start_of_way(control), q_B_end, mm_per_degree(control)};
+}
+
+FeedWay axes_way(const Control& control, const AxisPositions& q_M_end) {
+  return {control.port.position(), q_M_end, mm_per_degree(control)};
+}
+
+Result<double, Failure> feed_along(const Control& control, const FeedWay& way) {
+  const double strokes = control.modal.feed;
+  if (!control.has_own_feed || strokes < kLeastInverseTime) {
+    return block_failure(AlarmId::NoInverseTimeFeed);
+  }
+  const double most = control.profile.inverse_time.most;
+  if (strokes > most) {
+    return block_failure(AlarmId::TooManyDigits, fmt::format("F of G93 goes up to {}", most));
+  }
+  const double length = inverse_time_length(control, way);
+  // A block without a way takes no time: any feed will do.
+  return length > 0.0 ? strokes * length : strokes;
+}
 
 Result<double, Failure> feed_in_force(const Control& control) {
+  if (control.modal.inverse_time()) {
+    return block_failure(AlarmId::NotInInverseTime, "this block takes F as a feed");
+  }
   if (control.modal.feed <= 0.0) {
     return block_failure(AlarmId::NoFeed);
   }
@@ -31,6 +112,26 @@ double switched_feed(const Control& control, double feed_mm_min) {
   }
   const bool as_programmed = taps || (control.override_control & kOverrideOff) != 0;
   return as_programmed ? feed_mm_min : feed_mm_min * switches.override_percent / 100.0;
+}
+
+/// A hole is many moves and has one F; what G31, G37 and G96 do is the control's to say.
+MaybeFailure refuse_in_inverse_time(const Control& control, const Codes& codes) {
+  if (in_canned_cycle(control)) {
+    return block_failure(AlarmId::NotInInverseTime, "a canned cycle under G93");
+  }
+  if (!control.profile.inverse_time.stands_alone) {
+    return std::nullopt;
+  }
+  if (control.modal.group[Group::SpindleMode].whole == 96) {
+    return block_failure(AlarmId::NotInInverseTime, "G96 and G93 together");
+  }
+  const bool measures =
+      codes.one_shot != nullptr &&
+      (codes.one_shot->action == GAction::Skip || codes.one_shot->action == GAction::MeasureTool);
+  return measures ? MaybeFailure(
+                        block_failure(AlarmId::NotInInverseTime,
+                                      fmt::format("{} under G93", to_text(codes.one_shot->number))))
+                  : std::nullopt;
 }
 
 }  // namespace g31::fanuc

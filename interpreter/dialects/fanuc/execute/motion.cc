@@ -101,9 +101,9 @@ MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::R
 /// The feed is that of the tip at the part; where it stands, that of the rotary axes (parameter
 /// 19696.6).
 void take_tip_feed(const Control& control, path::PathBlock& block) {
-  block.mm_per_degree = 0.0;
   const double most = control.parameters.get(ParameterId::LargestFeed);
-  if (most <= 0.0 || control.parameters.is_on(ParameterId::TurnsByFeed)) {
+  if (most <= 0.0 || control.parameters.is_on(ParameterId::TurnsByFeed) ||
+      control.modal.inverse_time()) {
     return;
   }
   const Point way = linear_axes(block.q_M_end) - linear_axes(control.path_position());
@@ -122,7 +122,7 @@ path::PathBlock feed_block(const Control& control, const AxisPositions& q_B_end,
   block.feed_mm_min = switched_feed(control, feed_mm_min);
   block.ends = control.feed_end();
   block.contour_control = control.contour_control();
-  block.mm_per_degree = control.scale.mm_per_unit();
+  block.mm_per_degree = mm_per_degree(control);
   if (control.coordinates.tip_system() != TipSystem::None) {
     take_tip_feed(control, block);
   }
@@ -130,11 +130,12 @@ path::PathBlock feed_block(const Control& control, const AxisPositions& q_B_end,
 }
 
 MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g) {
-  const auto feed = feed_in_force(control);
-  if (!feed) {
-    return feed.error();
-  }
-  const path::PathBlock block = feed_block(control, q_B_end, g, feed.value());
+  const auto feed = feed_over(control, [&] { return straight_way(control, q_B_end); });
+  return feed ? line_to(control, q_B_end, g, feed.value()) : MaybeFailure(feed.error());
+}
+
+MaybeFailure line_to(Control& control, const AxisPositions& q_B_end, int g, double feed_mm_min) {
+  const path::PathBlock block = feed_block(control, q_B_end, g, feed_mm_min);
   if (MaybeFailure failure = is_led_too_fast(control, block)) {
     return failure;
   }
@@ -149,7 +150,7 @@ MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machin
   block.ends = control.rapid_end();
   block.rapid_path = way;
   if (control.modal.group[Group::Motion].whole == 1) {
-    const auto feed = feed_in_force(control);
+    const auto feed = feed_over(control, [&] { return axes_way(control, q_M_end); });
     if (!feed) {
       return feed.error();
     }

@@ -129,7 +129,8 @@ double skip_speed(const Control& control, double feed_mm_min) {
 }
 
 /// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
-Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
+Result<double, Failure> skip_feed(const Control& control, const NcBlock& block,
+                                  const AxisPositions& q_M_end) {
   const auto parameter = control.profile.skip_feed_parameter;
   const auto step = step_parameter(block);
   const double preset = step        ? control.parameters.get(ParameterId::MultiStepSkip, *step + 1)
@@ -138,7 +139,7 @@ Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) 
   if (!block.words.has('F') && preset > 0.0) {
     return preset;
   }
-  auto feed = feed_in_force(control);
+  auto feed = feed_over(control, [&] { return axes_way(control, q_M_end); });
   if (!feed && control.profile.skip_feed == SkipFeed::OneBlock) {
     Failure failure;
     failure.id = AlarmId::NoSkipFeed;
@@ -200,14 +201,14 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   if (!control.coordinates.transform().is_identity()) {
     control.warn_once(source::DiagnosticId::SkipInTurnedPlane, block.where);
   }
-  const auto feed = skip_feed(control, block);
-  if (!feed) {
-    return feed.error();
-  }
   const AxisPositions q_L_end = programmed_end(control, block);
   const auto q_M_end = skip_end(control, block, q_L_end);
   if (!q_M_end) {
     return q_M_end.error();
+  }
+  const auto feed = skip_feed(control, block, q_M_end.value());
+  if (!feed) {
+    return feed.error();
   }
   machine::LinearMove way;
   way.q_M_end = q_M_end.value();

@@ -50,6 +50,7 @@ struct Modal {
   int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
 
   Modal();
+  [[nodiscard]] bool inverse_time() const { return group[Group::FeedMode].whole == 93; }
   [[nodiscard]] bool incremental() const { return group[Group::Distance].whole == 91; }
   [[nodiscard]] Plane plane() const { return plane_of(group[Group::Plane]); }
 
@@ -145,6 +146,7 @@ struct ControlState {
   double hours_offset = 0.0;                                ///< #3002 likewise
   int single_block_control = 0;                             ///< #3003
   int override_control = 0;                                 ///< #3004
+  bool has_own_feed = false;                                ///< F in the present block
   bool stops_exactly = false;                               ///< G09 in the present block
   RapidState rapids;
   int mirror_state = 0;                   ///< #3007

@@ -81,6 +81,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::RotationOff:
     case GAction::CannedCycle:
     case GAction::CycleOff:
+    case GAction::FeedType:
     case GAction::SurfaceSpeed:
     case GAction::ToolReplacement:
     case GAction::Unsimulated:

@@ -55,6 +55,7 @@ enum class GAction : std::uint8_t {
   CannedCycle,
   CycleOff,
   StrokeCheck,
+  FeedType,  ///< a modal code that says what F means
   SurfaceSpeed,
   ToolReplacement,  ///< changes the tool and goes to where it begins
   Unsimulated,      ///< one-shot: takes the words of its block, nothing happens

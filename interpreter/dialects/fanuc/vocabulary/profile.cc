@@ -106,6 +106,7 @@ constexpr Profile meldas() {
   profile.smallest_result = 0.0;
   profile.loops = {127, 27};
   profile.feed_counts = {1.0, 1.0};
+  profile.inverse_time = {InverseTime::OfArc::Radius, 1.0, 999999.999, true};
   profile.codes_before_call = true;
   profile.has_bare_expressions = true;
   profile.joins_conditions = true;
@@ -158,6 +159,7 @@ constexpr Profile haas() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;
+  profile.inverse_time = {InverseTime::OfArc::Length, 1000.0, 999999.999, false};
   profile.feed_counts = {1000.0, 10000.0};  // setting 77 as it comes: F12 is 0.0012 inch/min
   profile.macro_alarm.base = 1000;
   profile.macro_alarm.largest = 999;

@@ -114,6 +114,17 @@ struct FeedCounts {
   double per_inch = 100.0;
 };
 
+/// F under G93.
+struct InverseTime {
+  /// What F of an arc counts: B-62764EN 5 and M700V 7.5 have the feed over the radius at its start,
+  /// the Haas mill operator's manual the strokes in a minute, as on a line.
+  enum class OfArc { Radius, Length } of_arc = OfArc::Radius;
+  double counts = 1000.0;  ///< of an F without a point: so many to 1/min
+  double most = 9999.999;  ///< 1/min
+  /// G31, G37 and G96 are alarms beside it (M700V programming manual, 7.5).
+  bool stands_alone = false;
+};
+
 /// What SETVN may name (MB-104).
 struct NameRule {
   int first = 500;
@@ -137,6 +148,7 @@ struct Profile {
   double smallest_result = kSmallestOf16i;  ///< magnitude below it, but not 0, is alarm 111
   LogicOperands logic_operands = LogicOperands::Round;
   FeedCounts feed_counts;  ///< parameter 1403.0 of Fanuc: 1 mm/min beside 0.01 inch/min
+  InverseTime inverse_time;
   FunctionLevel functions = FunctionLevel::Full;
   [[nodiscard]] constexpr bool has_series_30i_functions() const {
     return functions == FunctionLevel::Series30i;
