@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
+
+#include "interpreter/runtime/turn_time.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -23,38 +24,12 @@ constexpr double kMmPerMetre = 1000.0;
 constexpr double kLeastFeed = 1e-9;
 constexpr double kMostFeed = 1e12;
 
-/// Minutes of one revolution, by the distance x from the turning centre: |x| / k between two
-/// bounds.
-class TurnTime {
- public:
-  explicit TurnTime(const Channel& channel)
-      : per_mm_(2.0 * std::numbers::pi / (channel.spindle.cutting_speed * kMmPerMetre)),
-        least_(1.0 / std::min(channel.spindle.highest, channel.spindle.limit)),
-        most_(channel.spindle.lowest > 0.0 ? 1.0 / channel.spindle.lowest : WorkingArea::kFar) {}
-
-  [[nodiscard]] double at(double x) const {
-    return std::clamp(std::abs(x) * per_mm_, least_, std::max(least_, most_));
-  }
-
-  /// Over a way on which x changes evenly.
-  [[nodiscard]] double mean(double from, double to) const {
-    return std::abs(to - from) < 1e-9 ? at(from) : (integral(to) - integral(from)) / (to - from);
-  }
-
- private:
-  /// From 0 to x, odd in x.
-  [[nodiscard]] double integral(double x) const {
-    const double t = std::abs(x) * per_mm_;
-    const double bent = std::min(t, most_);
-    double sum = t <= least_ ? least_ * t : (bent * bent + least_ * least_) / 2.0;
-    sum += t > most_ ? most_ * (t - most_) : 0.0;
-    return std::copysign(sum / per_mm_, x);
-  }
-
-  double per_mm_;
-  double least_;
-  double most_;
-};
+/// Of G96.
+runtime::TurnTime turn_time(const Channel& channel) {
+  const Spindle& spindle = channel.spindle;
+  return {spindle.cutting_speed * kMmPerMetre, spindle.lowest,
+          std::min(spindle.highest, spindle.limit)};
+}
 
 /// On a straight way: the feed of the machine, which is that of the linear axes, or of rotary ones
 /// that move alone, over that of the axes of FGROUP.  Where none of them moves, F is of the others.
@@ -100,7 +75,7 @@ double spindle_speed(const Channel& channel, double radius_mm) {
                : std::clamp(spindle.speed * share, std::min(spindle.lowest, spindle.highest),
                             spindle.highest);
   }
-  return spindle.cutting_speed <= 0.0 ? 0.0 : share / TurnTime(channel).at(radius_mm);
+  return spindle.cutting_speed <= 0.0 ? 0.0 : share / turn_time(channel).at(radius_mm);
 }
 
 double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
@@ -170,7 +145,7 @@ Result<double, Failure> programmed_feed(const Channel& channel, const Block& blo
                        : failure(AlarmId::NoFeed, "G95 needs F and S");
   }
   const double turn = channel.spindle.cutting_speed > 0.0
-                          ? TurnTime(channel).mean(way.radius_from_mm, way.radius_to_mm)
+                          ? turn_time(channel).mean(way.radius_from_mm, way.radius_to_mm)
                           : 0.0;
   return turn > 0.0 ? Result<double, Failure>(switched(channel, feed / turn))
                     : failure(AlarmId::NoFeed, "G96 needs F and S, and LIMS at X0");
