@@ -515,9 +515,7 @@ TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {
                 "case.nc:2:1: warning: alarm 10, G33, thread cutting: not simulated: a run ends "
                 "here [NC007]",
                 "case.nc:3:1: warning: alarm 10, G7.1, cylindrical interpolation: not simulated: a "
-                "run ends here [NC007]",
-                "case.nc:5:1: warning: G96, constant surface speed: not simulated: a run passes "
-                "over it [NC007]"}));
+                "run ends here [NC007]"}));
   options.control = "haas";
   EXPECT_EQ(
       places(checked(options).text, folder).at(2),

@@ -181,9 +181,6 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
     return failure;
   }
   command_machine(control, words);
-  if (codes.value().unsimulated != nullptr) {
-    control.warn_once(source::DiagnosticId::NotSimulated, where, codes.value().unsimulated->text);
-  }
   if (control.transforms.rotation && control.profile.bars_origins_in_rotation) {
     tell_barred_in_rotation(control, codes.value(), where);
   }

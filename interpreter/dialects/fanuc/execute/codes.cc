@@ -9,6 +9,7 @@
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/execute/feed.h"
+#include "interpreter/dialects/fanuc/execute/spindle.h"
 #include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
 #include "interpreter/dialects/fanuc/vocabulary/fine_feed.h"
 
@@ -16,6 +17,7 @@ namespace g31::fanuc {
 namespace {
 
 constexpr GNumber kToolReplacement{100, 0};
+constexpr int kSurfaceSpeed = 96;
 
 void end_canned_cycle(Control& control) {
   control.modal.group[Group::CannedCycle] = {80, 0};
@@ -46,7 +48,7 @@ void note_modal_code(const Control& control, const GCode& code, Codes& codes) {
   } else if (code.action == GAction::CannedCycle) {
     codes.starts_cycle = codes.starts_cycle || !in_canned_cycle(control);
   } else if (code.action == GAction::SurfaceSpeed) {
-    codes.unsimulated = &code;
+    codes.starts_surface_speed = code.number.whole == kSurfaceSpeed;
   }
 }
 
@@ -64,6 +66,9 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     end_canned_cycle(control);
   } else if (code.action == GAction::FeedType && control.modal.inverse_time()) {
     control.modal.feed = 0.0;  // strokes in a minute are no feed (M700V programming manual, 7.5)
+  }
+  if (code.action == GAction::SurfaceSpeed && control.modal.surface_speed()) {
+    control.spindle.turns = spindle_speed(control);
   }
   control.modal.group[code.group] = code.number;
 }
@@ -189,6 +194,9 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, Codes&
       }
       const int number = nearest_integer(word.number);
       control.modal.word(word.letter) = number;
+      if (word.letter == 'S') {
+        take_speed(control, number, codes);
+      }
       if (word.letter == 'M' && number == kToolChange && control.profile.replaces_tools) {
         codes.one_shot = find_g_code(kToolReplacement, control.profile);
       }
@@ -320,6 +328,11 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
       if (auto failure = take_plain_word(control, word, codes)) {
         return *std::move(failure);
       }
+    }
+  }
+  if (codes.starts_surface_speed) {
+    if (auto failure = take_surface_axis(control, words)) {
+      return *std::move(failure);
     }
   }
   return codes;

@@ -12,7 +12,7 @@ struct Codes {
   const GCode* frame = nullptr;  ///< takes the axis words for mirror, scaling, rotation or limits
   const GCode* tool_length = nullptr;
   const GCode* work_offset = nullptr;
-  const GCode* unsimulated = nullptr;
+  bool starts_surface_speed = false;  ///< G96
   bool starts_polar = false;
   bool starts_cycle = false;
   const GCode* contour_switch = nullptr;  ///< by Q, G08 by P

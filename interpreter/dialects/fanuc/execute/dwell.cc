@@ -2,6 +2,7 @@
 
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/spindle.h"
 
 namespace g31::fanuc {
 namespace {
@@ -42,7 +43,7 @@ MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
     return block_failure(wrong->id, std::move(wrong->detail));
   }
   if (counts_turns(control)) {
-    const double turns_per_minute = control.modal.word('S');
+    const double turns_per_minute = spindle_speed(control);
     if (turns_per_minute <= 0.0) {
       return block_failure(AlarmId::NoFeed, "a dwell of spindle turns needs a speed S");
     }

@@ -6,6 +6,7 @@
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/spindle.h"
 
 namespace g31::fanuc {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 /// The least strokes in a minute (FANUC operator's manual B-62764EN, 5; M700V programming manual,
 /// 7.5).
 constexpr double kLeastInverseTime = 0.001;
+
+constexpr int kPerRevolution = 95;
 
 /// As the machine counts the way.
 double length_of(const FeedWay& way) {
@@ -54,6 +57,35 @@ AxisPositions start_of_way(const Control& control) {
              : control.path_position();
 }
 
+Result<double, Failure> inverse_time_feed(const Control& control, const FeedWay& way) {
+  const double strokes = control.modal.feed;
+  if (!control.has_own_feed || strokes < kLeastInverseTime) {
+    return block_failure(AlarmId::NoInverseTimeFeed);
+  }
+  const double most = control.profile.inverse_time.most;
+  if (strokes > most) {
+    return block_failure(AlarmId::TooManyDigits, fmt::format("F of G93 goes up to {}", most));
+  }
+  const double length = inverse_time_length(control, way);
+  // A block without a way takes no time: any feed will do.
+  return length > 0.0 ? strokes * length : strokes;
+}
+
+Failure no_speed() {
+  return block_failure(AlarmId::NoFeed,
+                       "G95 needs a spindle speed S, at the centre of G96 its limit G92 S, too");
+}
+
+/// G95.  @param turn_min  minutes of a turn
+Result<double, Failure> feed_by_turns(const Control& control, double turn_min) {
+  if (control.modal.feed <= 0.0) {
+    return block_failure(AlarmId::NoFeed);
+  }
+  return turn_min > 0.0 && std::isfinite(turn_min)
+             ? Result<double, Failure>(control.to_mm(control.modal.feed) / turn_min)
+             : no_speed();
+}
+
 }  // namespace
 
 double mm_per_degree(const Control& control) {
@@ -69,17 +101,8 @@ FeedWay axes_way(const Control& control, const AxisPositions& q_M_end) {
 }
 
 Result<double, Failure> feed_along(const Control& control, const FeedWay& way) {
-  const double strokes = control.modal.feed;
-  if (!control.has_own_feed || strokes < kLeastInverseTime) {
-    return block_failure(AlarmId::NoInverseTimeFeed);
-  }
-  const double most = control.profile.inverse_time.most;
-  if (strokes > most) {
-    return block_failure(AlarmId::TooManyDigits, fmt::format("F of G93 goes up to {}", most));
-  }
-  const double length = inverse_time_length(control, way);
-  // A block without a way takes no time: any feed will do.
-  return length > 0.0 ? strokes * length : strokes;
+  return control.modal.inverse_time() ? inverse_time_feed(control, way)
+                                      : feed_by_turns(control, mean_turn(control, way));
 }
 
 Result<double, Failure> feed_in_force(const Control& control) {
@@ -90,14 +113,11 @@ Result<double, Failure> feed_in_force(const Control& control) {
     return block_failure(AlarmId::NoFeed);
   }
   const double feed = control.to_mm(control.modal.feed);
-  if (control.modal.group[Group::FeedMode].whole != 95) {
+  if (control.modal.group[Group::FeedMode].whole != kPerRevolution) {
     return feed;
   }
-  const double revolutions_per_minute = control.modal.words['S' - 'A'];
-  if (revolutions_per_minute <= 0.0) {
-    return block_failure(AlarmId::NoFeed, "G95 needs a spindle speed S");
-  }
-  return feed * revolutions_per_minute;
+  const double speed = spindle_speed(control);
+  return speed > 0.0 && std::isfinite(speed) ? Result<double, Failure>(feed * speed) : no_speed();
 }
 
 double switched_feed(const Control& control, double feed_mm_min) {
@@ -122,7 +142,7 @@ MaybeFailure refuse_in_inverse_time(const Control& control, const Codes& codes) 
   if (!control.profile.inverse_time.stands_alone) {
     return std::nullopt;
   }
-  if (control.modal.group[Group::SpindleMode].whole == 96) {
+  if (control.modal.surface_speed()) {
     return block_failure(AlarmId::NotInInverseTime, "G96 and G93 together");
   }
   const bool measures =

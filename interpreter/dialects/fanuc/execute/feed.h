@@ -31,13 +31,14 @@ double mm_per_degree(const Control& control);
 /// Not under G93, whose F means nothing without a way.
 Result<double, Failure> feed_in_force(const Control& control);
 
-/// mm/min of a feed that depends on its way: G93.
+/// mm/min of a feed that depends on its way: under G93, and under G95 with G96 the mean, so that
+/// its time is right.
 Result<double, Failure> feed_along(const Control& control, const FeedWay& way);
 
 /// The feed of a block, mm/min.  @param way  makes its FeedWay; not asked where it does not matter
 template <typename MakeWay>
 Result<double, Failure> feed_over(const Control& control, MakeWay way) {
-  return control.modal.inverse_time() ? feed_along(control, way()) : feed_in_force(control);
+  return control.modal.feed_depends_on_way() ? feed_along(control, way()) : feed_in_force(control);
 }
 
 /// A programmed feed as dry run and feed override change it, mm/min (MB-128, MB-268).

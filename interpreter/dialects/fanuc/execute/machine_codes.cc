@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/spindle.h"
 #include "interpreter/runtime/probe_inside.h"
 
 namespace g31::fanuc {
@@ -38,7 +40,9 @@ void record_code(const Control& control, int code) {
 void turn(Control& control, machine::Rotation rotation) {
   control.rotation = rotation;
   const bool stops = rotation == machine::Rotation::Stopped;
-  control.port.turn_spindle({rotation, stops ? 0.0 : control.modal.word('S'), {}});
+  const double speed = stops ? 0.0 : spindle_speed(control);
+  // At the centre of G96 without a limit the machine has the last word, which nothing here knows.
+  control.port.turn_spindle({rotation, std::isfinite(speed) ? speed : 0.0, {}});
 }
 
 /// M19 Rn, or Pn for those controls that write it so.

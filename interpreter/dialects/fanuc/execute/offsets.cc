@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/spindle.h"
 
 namespace g31::fanuc {
 namespace {
@@ -184,6 +185,12 @@ MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
 
 /// G92: the named axes read these values from now on (MB-294).
 MaybeFailure execute_set_position(Control& control, const NcBlock& block) {
+  if (const MaybeFailure failure = take_lowest_speed(control, block.words)) {
+    return failure;
+  }
+  if (!block.has_axis_word) {
+    return std::nullopt;
+  }
   control.use_measured();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {

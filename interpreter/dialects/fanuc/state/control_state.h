@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -51,6 +52,12 @@ struct Modal {
 
   Modal();
   [[nodiscard]] bool inverse_time() const { return group[Group::FeedMode].whole == 93; }
+  [[nodiscard]] bool surface_speed() const { return group[Group::SpindleMode].whole == 96; }
+  /// Whether the feed of a block depends on where it goes.
+  [[nodiscard]] bool feed_depends_on_way() const {
+    constexpr int kPerMinute = 94;
+    return group[Group::FeedMode].whole != kPerMinute && (inverse_time() || surface_speed());
+  }
   [[nodiscard]] bool incremental() const { return group[Group::Distance].whole == 91; }
   [[nodiscard]] Plane plane() const { return plane_of(group[Group::Plane]); }
 
@@ -100,6 +107,17 @@ struct CutterStage {
   bool operator==(const CutterStage&) const = default;
 };
 
+/// What S says, and what G96 makes of it.
+struct SpindleSpeeds {
+  double turns = 0.0;           ///< rev/min: S of G97, or what G96 had come to when it ended
+  double surface_mm_min = 0.0;  ///< S of G96
+  int axis = 0;                 ///< of G96: the work coordinate of this axis is the radius
+  double lowest = 0.0;          ///< rev/min, for G96
+  double highest = std::numeric_limits<double>::infinity();  ///< rev/min, for G96: S of G92
+
+  bool operator==(const SpindleSpeeds&) const = default;
+};
+
 /// What rapids and contours depend on.
 struct RapidState {
   machine::RapidPath positioning = machine::RapidPath::Independent;  ///< without parameter 1401.1
@@ -140,14 +158,15 @@ struct ControlState {
   Calendar calendar;             ///< #3011, #3012
   runtime::BusyWait busy_wait;
   machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle
-  std::optional<int> tool;                                  ///< that M6 has brought
-  std::optional<int> called_tool;                           ///< the last T; none before the first
-  double timer_offset_ms = 0.0;                             ///< #3001 = simulated time + this
-  double hours_offset = 0.0;                                ///< #3002 likewise
-  int single_block_control = 0;                             ///< #3003
-  int override_control = 0;                                 ///< #3004
-  bool has_own_feed = false;                                ///< F in the present block
-  bool stops_exactly = false;                               ///< G09 in the present block
+  SpindleSpeeds spindle;
+  std::optional<int> tool;         ///< that M6 has brought
+  std::optional<int> called_tool;  ///< the last T; none before the first
+  double timer_offset_ms = 0.0;    ///< #3001 = simulated time + this
+  double hours_offset = 0.0;       ///< #3002 likewise
+  int single_block_control = 0;    ///< #3003
+  int override_control = 0;        ///< #3004
+  bool has_own_feed = false;       ///< F in the present block
+  bool stops_exactly = false;      ///< G09 in the present block
   RapidState rapids;
   int mirror_state = 0;                   ///< #3007
   int restart_state = 0;                  ///< #3008

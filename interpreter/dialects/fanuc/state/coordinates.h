@@ -134,7 +134,12 @@ class Coordinates {
 
   /// The same without it: work coordinates of the tool's tip, before G51.1, G51 and G68.
   [[nodiscard]] AxisPositions tip_to_work(const AxisPositions& q_M) const {
-    return is_plain_ ? AxisPositions(q_M - shift_ - tool_offset_) : led_work_of(path_at(q_M));
+    return path_to_work(path_at(q_M));
+  }
+
+  /// The way back of work_to_path().
+  [[nodiscard]] AxisPositions path_to_work(const AxisPositions& q_B) const {
+    return is_plain_ ? AxisPositions(q_B - shift_ - tool_offset_) : led_work_of(q_B);
   }
 
   /// Machine coordinates as a program would write them: the way back of to_path() and axes_at().

@@ -55,8 +55,8 @@ enum class GAction : std::uint8_t {
   CannedCycle,
   CycleOff,
   StrokeCheck,
-  FeedType,  ///< a modal code that says what F means
-  SurfaceSpeed,
+  FeedType,         ///< a modal code that says what F means
+  SurfaceSpeed,     ///< a modal code that says what S means
   ToolReplacement,  ///< changes the tool and goes to where it begins
   Unsimulated,      ///< one-shot: takes the words of its block, nothing happens
   Refused,          ///< not simulated, and the way would be another one without it
@@ -64,7 +64,7 @@ enum class GAction : std::uint8_t {
 
 /// Whether a run tells that it passes over a code.
 constexpr bool is_passed_over(GAction action) {
-  return action == GAction::Unsimulated || action == GAction::SurfaceSpeed;
+  return action == GAction::Unsimulated;
 }
 
 /// Which controls of the family have a G code.

@@ -131,6 +131,8 @@ constexpr Profile meldas() {
   profile.modal_layout = meldas_modal_layout();
   profile.variables = {Basic,          WordsByNumber,  OffsetsMeldas,
                        ExternalOffset, ExecutingModal, MeldasCommons};
+  profile.surface_axis = ParameterId::MeldasSurfaceAxis;
+  profile.lowest_speed_word = 'Q';
   profile.skip_selection = SkipSelection::Mask;
   profile.skip_feed = SkipFeed::OneBlock;
   profile.skip_feed_parameter = ParameterId::SkipFeed;

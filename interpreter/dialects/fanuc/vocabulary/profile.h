@@ -205,6 +205,9 @@ struct Profile {
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
   bool pecks_shrink = false;        ///< G73 and G83 take I J K in the place of Q
 
+  ParameterId surface_axis = ParameterId::SurfaceAxis;  ///< of G96 without P
+  char lowest_speed_word = '\0';  ///< beside S of G92, for G96 (M700V programming manual); \0: none
+
   bool replaces_tools = false;  ///< M06 is the cycle of G100: it moves the axes, too
 
   // Tool length and the machine's own positions
