@@ -19,6 +19,8 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
       return code.number.whole == 0   ? Move::Kind::Rapid
              : code.number.whole == 1 ? Move::Kind::Line
                                       : Move::Kind::Arc;
+    case GAction::SingleDirection:
+      return Move::Kind::Rapid;
     case GAction::Skip:
     case GAction::MeasureTool:
     case GAction::MeasureDiameter:

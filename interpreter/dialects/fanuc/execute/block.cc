@@ -80,8 +80,9 @@ constexpr ActionRow kActions[] = {
 
 /// Whether something does what a row of g_codes.def says: a row above, or what sees the code first.
 consteval bool is_done(Group group, GAction action) {
-  constexpr GAction kDoneBefore[] = {GAction::ExactStop, GAction::ContourControl, GAction::NoEffect,
-                                     GAction::Refused, GAction::MacroCall};
+  constexpr GAction kDoneBefore[] = {GAction::ExactStop,       GAction::ContourControl,
+                                     GAction::SingleDirection, GAction::NoEffect,
+                                     GAction::Refused,         GAction::MacroCall};
   return group != Group::OneShot ||
          std::ranges::find(kDoneBefore, action) != std::end(kDoneBefore) ||
          std::ranges::find(kActions, action, &ActionRow::action) != std::end(kActions);
@@ -169,6 +170,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   const double feed_before = control.modal.feed;
   control.stops_exactly = false;
   control.has_own_feed = false;
+  control.single_direction = false;
   const auto codes = take_words(control, words);
   if (!codes) {
     return codes.error();

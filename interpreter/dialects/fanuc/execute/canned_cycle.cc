@@ -270,7 +270,7 @@ MaybeFailure position(Control& control, const NcBlock& block, const Plane& plane
   q_L_end[plane.across] = control.coordinates.programmed()[plane.across];
   AxisPositions q_B_end = control.coordinates.to_path(q_L_end);
   q_B_end[plane.across] = control.path_position()[plane.across];
-  if (auto failure = rapid_to(control, q_B_end, control.rapid_path())) {
+  if (auto failure = position_to(control, q_B_end)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);

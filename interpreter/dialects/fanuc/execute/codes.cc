@@ -73,6 +73,17 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
   control.modal.group[code.group] = code.number;
 }
 
+/// G60: one-shot, or in the place of G00 by a parameter.
+void take_single_direction(Control& control, const GCode& code) {
+  const auto modal = control.profile.single_direction.modal;
+  if (modal && control.parameters.is_on(*modal)) {
+    end_canned_cycle(control);
+    control.modal.group[Group::Motion] = code.number;
+  } else {
+    control.single_direction = true;
+  }
+}
+
 /// Calls are taken out of a block before it comes here; these are left when another word calls,
 /// too.
 bool is_second_call(const EvaluatedWord& word) {
@@ -150,6 +161,8 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
     control.stops_exactly = true;
   } else if (code->action == GAction::ContourControl) {
     codes.contour_switch = code;
+  } else if (code->action == GAction::SingleDirection) {
+    take_single_direction(control, *code);
   } else if (!leaves_words(code->action)) {
     codes.one_shot = code;
   }

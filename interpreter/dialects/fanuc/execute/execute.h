@@ -110,6 +110,8 @@ AxisPositions programmed_end(Control& control, const NcBlock& block);
 /// Moves to a place in path coordinates at rapid, through cutter compensation, and tells the
 /// observer.
 MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::RapidPath way);
+/// The same by G00 or G60, as the block is positioned (single_direction.cc).
+MaybeFailure position_to(Control& control, const AxisPositions& q_B_end);
 /// The same at the feed in force; `g` is how the document names the move.
 MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g);
 /// The same at a feed in mm/min, which override and dry run change.

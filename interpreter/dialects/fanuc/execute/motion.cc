@@ -188,7 +188,8 @@ bool turns_in_plane(const Control& control, const AxisPositions& q_L_end) {
 
 MaybeFailure execute_motion(Control& control, const NcBlock& block) {
   const int g = control.modal.group[Group::Motion].whole;
-  if (g == 2 || g == 3) {
+  const bool positions = control.positions_in_one_direction();
+  if (!positions && (g == 2 || g == 3)) {
     return execute_arc(control, block);
   }
   AxisPositions q_L_end = programmed_end(control, block);
@@ -199,8 +200,8 @@ MaybeFailure execute_motion(Control& control, const NcBlock& block) {
     return turn_in_plane(control, block, q_L_end);
   }
   const AxisPositions q_B_end = control.coordinates.to_path(q_L_end);
-  if (auto failure = g == 0 ? rapid_to(control, q_B_end, control.rapid_path())
-                            : feed_to(control, q_B_end, g)) {
+  if (auto failure =
+          positions || g == 0 ? position_to(control, q_B_end) : feed_to(control, q_B_end, g)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);

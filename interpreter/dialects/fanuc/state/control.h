@@ -103,6 +103,11 @@ struct Control : ControlState {
 
   /// The way of G00: FANUC AI nano contour control A-78962EN/01, 4, for that in contour control.
   [[nodiscard]] machine::RapidPath rapid_path() const;
+  /// Whether the present block is positioned by G60.
+  [[nodiscard]] bool positions_in_one_direction() const {
+    constexpr int kSingleDirection = 60;
+    return single_direction || modal.group[Group::Motion].whole == kSingleDirection;
+  }
   /// Of a rapid between places of the machine: G28 to its intermediate point, G53.
   [[nodiscard]] machine::RapidPath machine_rapid_path() const {
     return profile.rapids.machine_moves_as_positioning ? rapid_path()

@@ -166,6 +166,7 @@ struct ControlState {
   int single_block_control = 0;    ///< #3003
   int override_control = 0;        ///< #3004
   bool has_own_feed = false;       ///< F in the present block
+  bool single_direction = false;   ///< G60 in the present block
   bool stops_exactly = false;      ///< G09 in the present block
   RapidState rapids;
   int mirror_state = 0;                   ///< #3007

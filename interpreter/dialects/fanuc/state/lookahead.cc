@@ -66,6 +66,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::NoEffect:
     case GAction::ExactStop:
     case GAction::ContourControl:
+    case GAction::SingleDirection:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::TipControl:

@@ -23,7 +23,7 @@ constexpr bool is_frame(GAction action) {
 /// Whether a code of one block leaves the words to others.
 constexpr bool leaves_words(GAction action) {
   return action == GAction::ExactStop || action == GAction::ContourControl ||
-         action == GAction::NoEffect;
+         action == GAction::SingleDirection || action == GAction::NoEffect;
 }
 
 /// G27 to G30.

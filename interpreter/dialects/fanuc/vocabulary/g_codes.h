@@ -14,10 +14,11 @@ inline constexpr int kWorkSystems = 6;  ///< G54 to G59
 
 /// What a G code makes the control do; the interpreter has one function for each.
 enum class GAction : std::uint8_t {
-  Modal,           ///< only sets its group
-  NoEffect,        ///< one-shot, and nothing that is simulated depends on it
-  ExactStop,       ///< one-shot: says how the motion of its block ends
-  ContourControl,  ///< one-shot: Q switches it
+  Modal,            ///< only sets its group
+  NoEffect,         ///< one-shot, and nothing that is simulated depends on it
+  ExactStop,        ///< one-shot: says how the motion of its block ends
+  ContourControl,   ///< one-shot: Q switches it
+  SingleDirection,  ///< one-shot, or a kind of motion by a parameter
   Motion,
   Dwell,
   SetData,

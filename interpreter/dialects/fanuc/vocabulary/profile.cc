@@ -133,6 +133,8 @@ constexpr Profile meldas() {
                        ExternalOffset, ExecutingModal, MeldasCommons};
   profile.surface_axis = ParameterId::MeldasSurfaceAxis;
   profile.lowest_speed_word = 'Q';
+  profile.single_direction = {ParameterId::MeldasSingleDirection,
+                              ParameterId::MeldasModalSingleDirection};
   profile.skip_selection = SkipSelection::Mask;
   profile.skip_feed = SkipFeed::OneBlock;
   profile.skip_feed_parameter = ParameterId::SkipFeed;
@@ -195,6 +197,7 @@ constexpr Profile haas() {
   profile.additional_systems = 99;
   profile.asks_for_keys = true;
   profile.first_centre_setting = 255;
+  profile.single_direction = {ParameterId::SingleDirection, std::nullopt, 35};  // not modal there
   profile.output.fewest_digits = 1;
   profile.output.without_popen = OutputRule::WithoutPopen::Prints;  // the line is always open
   profile.output.style.overflow = OutputStyle::Overflow::Widen;

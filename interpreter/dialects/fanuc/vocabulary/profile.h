@@ -125,6 +125,13 @@ struct InverseTime {
   bool stands_alone = false;
 };
 
+/// What G60 goes by.
+struct SingleDirectionRule {
+  ParameterId way = ParameterId::SingleDirection;
+  std::optional<ParameterId> modal = ParameterId::ModalSingleDirection;
+  int setting = 0;  ///< of a Haas, in the place of `way`: ends in the negative direction; 0: none
+};
+
 /// What SETVN may name (MB-104).
 struct NameRule {
   int first = 500;
@@ -207,6 +214,8 @@ struct Profile {
 
   ParameterId surface_axis = ParameterId::SurfaceAxis;  ///< of G96 without P
   char lowest_speed_word = '\0';  ///< beside S of G92, for G96 (M700V programming manual); \0: none
+
+  SingleDirectionRule single_direction;
 
   bool replaces_tools = false;  ///< M06 is the cycle of G100: it moves the axes, too
 
