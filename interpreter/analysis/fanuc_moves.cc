@@ -16,9 +16,9 @@ using fanuc::GAction;
 std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
   switch (code.action) {
     case GAction::Motion:
-      return code.number.whole == 0   ? Move::Kind::Rapid
-             : code.number.whole == 1 ? Move::Kind::Line
-                                      : Move::Kind::Arc;
+      return code.number.whole == 0                             ? Move::Kind::Rapid
+             : code.number.whole == 2 || code.number.whole == 3 ? Move::Kind::Arc
+                                                                : Move::Kind::Line;
     case GAction::SingleDirection:
       return Move::Kind::Rapid;
     case GAction::Skip:

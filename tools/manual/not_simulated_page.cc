@@ -30,7 +30,8 @@ without a word: what they say has nothing to act on here.
 * Doors, pallets, tool changers, coolant, chips and bar feeders are not there: M codes that g31 does not know do nothing.
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
   `[[input]]`, keys that M109 of a Haas asks for from `control.keys` (PRB607).
-* Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.
+* Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  A thread
+  (G33) begins at once, wherever the spindle stands.
 * There is one channel: programs of several channels wait for nobody.
 * A Fanuc main program of more than 1 MiB is read while it runs: a block that cannot be understood ends the run where it
   comes there (exit code 2); with a shorter one nothing moves then.  `g31 check` reads the whole of both.

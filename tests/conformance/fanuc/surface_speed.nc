@@ -56,3 +56,15 @@ G95 G96 S100 G1 X0. F.2
 M30
 %
 (EXPECT #100 = 33111 WITHIN 1)
+
+(CASE a thread of 20 mm with a lead of 2 at 600 rev/min: ten turns, a second)
+(CONTROL fanuc-16i fanuc-30i meldas)
+%
+O1
+S600 M3
+#3001=0
+G33 Z-20. F2.
+#100=#3001
+M30
+%
+(EXPECT #100 = 1000)

@@ -268,14 +268,14 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
 
 }  // namespace
 
-/// A feed per revolution counts hundredths of a mm, or thousandths with parameter
+/// A lead and a feed per revolution count hundredths of a mm, or thousandths with parameter
 /// 1405.1 (inch: a tenth of that), one per minute what the control has for it, or parameter 1403.0.
 double counted_feed(const Control& control, const EvaluatedWord& word) {
   if (control.modal.inverse_time()) {
     return word.number / control.profile.inverse_time.counts;
   }
   const bool inch = control.scale.unit == LengthUnit::Inch;
-  if (control.modal.group[Group::FeedMode].whole != 95) {
+  if (control.modal.group[Group::FeedMode].whole != 95 && !control.modal.cuts_thread()) {
     const bool fine = control.parameters.is_on(ParameterId::FineFeed);
     const FeedCounts& counts = fine ? kFineFeedCounts : control.profile.feed_counts;
     return word.number / (inch ? counts.per_inch : counts.per_mm);

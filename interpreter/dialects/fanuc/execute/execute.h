@@ -30,6 +30,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
 MaybeFailure execute_motion(Control& control, const NcBlock& block);        // motion.cc
 MaybeFailure execute_machine_move(Control& control, const NcBlock& block);  // motion.cc
 MaybeFailure execute_arc(Control& control, const NcBlock& block);           // arc.cc
+MaybeFailure execute_thread(Control& control, const NcBlock& block);        // thread.cc
 MaybeFailure execute_skip(Control& control, const NcBlock& block);          // skip.cc
 MaybeFailure execute_tool_measurement(Control& control,
                                       const NcBlock& block);              // measure_tool.cc

@@ -130,7 +130,8 @@ double switched_feed(const Control& control, double feed_mm_min) {
   if (switches.dry_run_mm_min > 0.0 && !taps) {
     return switches.dry_run_mm_min;
   }
-  const bool as_programmed = taps || (control.override_control & kOverrideOff) != 0;
+  const bool as_programmed =
+      taps || modal.cuts_thread() || (control.override_control & kOverrideOff) != 0;
   return as_programmed ? feed_mm_min : feed_mm_min * switches.override_percent / 100.0;
 }
 
@@ -142,8 +143,8 @@ MaybeFailure refuse_in_inverse_time(const Control& control, const Codes& codes) 
   if (!control.profile.inverse_time.stands_alone) {
     return std::nullopt;
   }
-  if (control.modal.surface_speed()) {
-    return block_failure(AlarmId::NotInInverseTime, "G96 and G93 together");
+  if (control.modal.surface_speed() || control.modal.cuts_thread()) {
+    return block_failure(AlarmId::NotInInverseTime, "G96 or G33 under G93");
   }
   const bool measures =
       codes.one_shot != nullptr &&

@@ -189,6 +189,9 @@ bool turns_in_plane(const Control& control, const AxisPositions& q_L_end) {
 MaybeFailure execute_motion(Control& control, const NcBlock& block) {
   const int g = control.modal.group[Group::Motion].whole;
   const bool positions = control.positions_in_one_direction();
+  if (control.modal.cuts_thread() && !positions) {
+    return execute_thread(control, block);
+  }
   if (!positions && (g == 2 || g == 3)) {
     return execute_arc(control, block);
   }
