@@ -16,11 +16,10 @@ using fanuc::GAction;
 std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
   switch (code.action) {
     case GAction::Motion:
-      return code.number.whole == 0                             ? Move::Kind::Rapid
+    case GAction::SingleDirection:
+      return code.number.whole == 0 || code.number.whole == 60  ? Move::Kind::Rapid
              : code.number.whole == 2 || code.number.whole == 3 ? Move::Kind::Arc
                                                                 : Move::Kind::Line;
-    case GAction::SingleDirection:
-      return Move::Kind::Rapid;
     case GAction::Skip:
     case GAction::MeasureTool:
     case GAction::MeasureDiameter:
@@ -33,6 +32,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::ToolReplacement:
       return Move::Kind::Reference;
     case GAction::CannedCycle:
+    case GAction::HolePattern:
       return Move::Kind::Cycle;
     case GAction::Modal:
     case GAction::NoEffect:

@@ -75,6 +75,7 @@ constexpr ActionRow kActions[] = {
     {GAction::MeasureCentre, execute_work_measurement},
     {GAction::StrokeCheck, execute_stroke_check},
     {GAction::ToolReplacement, execute_tool_replacement},
+    {GAction::HolePattern, execute_hole_pattern},
     {GAction::Unsimulated, execute_nothing},
 };
 

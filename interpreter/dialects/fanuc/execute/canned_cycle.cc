@@ -1,22 +1,16 @@
+#include "interpreter/dialects/fanuc/execute/canned_cycle.h"
+
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/execute/execute.h"
-
 namespace g31::fanuc {
 namespace {
 
 constexpr int kMostRepeats = 9999;
 constexpr double kMostPecks = 1e5;  // more is a slip of the keyboard
-
-/// The plane that a cycle positions in; its third axis drills.
-Plane cycle_plane(const Control& control) {
-  const bool by_plane = control.parameters.is_on(ParameterId::DrillAcrossPlane);
-  return by_plane ? control.modal.plane() : plane_of({17, 0});
-}
 
 /// One hole at work: moves along the drilling axis of the point where the machine stands.
 class Hole {
@@ -213,7 +207,7 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
     data.q = std::abs(control.scale.length_mm(*q));
     data.shrinking.reset();
   }
-  if (control.profile.pecks_shrink && block.words.has('I')) {
+  if (control.profile.pecks_shrink && block.code == nullptr && block.words.has('I')) {
     const auto length = [&](char address) {
       const EvaluatedWord* const word = block.words.find(address);
       return word != nullptr ? std::abs(control.scale.length_mm(*word)) : 0.0;
@@ -265,8 +259,7 @@ Result<int, Failure> repeats_of(Control& control, const NcBlock& block) {
 }
 
 /// Rapid to the place of the next hole; the drilling axis waits, and a changed tool offset with it.
-MaybeFailure position(Control& control, const NcBlock& block, const Plane& plane) {
-  AxisPositions q_L_end = programmed_end(control, block);
+MaybeFailure position(Control& control, AxisPositions q_L_end, const Plane& plane) {
   q_L_end[plane.across] = control.coordinates.programmed()[plane.across];
   AxisPositions q_B_end = control.coordinates.to_path(q_L_end);
   q_B_end[plane.across] = control.path_position()[plane.across];
@@ -295,6 +288,28 @@ void start_canned_cycle(Control& control) {
   control.cycle.initial = control.cycle.r = control.cycle.bottom = level;
 }
 
+Plane cycle_plane(const Control& control) {
+  const bool by_plane = control.parameters.is_on(ParameterId::DrillAcrossPlane);
+  return by_plane ? control.modal.plane() : plane_of({17, 0});
+}
+
+MaybeFailure take_cycle_data(Control& control, const NcBlock& block) {
+  const Plane plane = cycle_plane(control);
+  if (!std::exchange(control.cycle.has_begun, true)) {
+    tell_missing_level(control, block, plane);
+  }
+  return take_data(control, block, plane);
+}
+
+MaybeFailure drill_at(Control& control, const AxisPositions& q_L) {
+  const Plane plane = cycle_plane(control);
+  if (auto failure = position(control, q_L, plane)) {
+    return failure;
+  }
+  const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+  return Hole(control, cycle, plane).drill();
+}
+
 /// G73 to G89: a hole at each place that the block names; a block without axes makes none (MB-306
 /// to MB-312).
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
@@ -302,10 +317,7 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
   if (!block.has_axis_word && !block.words.has('R')) {
     return std::nullopt;
   }
-  if (!std::exchange(control.cycle.has_begun, true)) {
-    tell_missing_level(control, block, plane);
-  }
-  if (auto failure = take_data(control, block, plane)) {
+  if (auto failure = take_cycle_data(control, block)) {
     return failure;
   }
   const auto repeats = repeats_of(control, block);
@@ -315,7 +327,7 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
   const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
   for (int i = 0; i < repeats.value(); ++i) {
     if (names_a_place(block, plane)) {
-      if (auto failure = position(control, block, plane)) {
+      if (auto failure = position(control, programmed_end(control, block), plane)) {
         return failure;
       }
     }

@@ -59,6 +59,7 @@ MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block);  // 
 MaybeFailure execute_table_offset(Control& control, const NcBlock& block);   // offsets.cc
 MaybeFailure execute_setting_error(Control& control, const NcBlock& block);  // offsets.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
+MaybeFailure execute_hole_pattern(Control& control, const NcBlock& block);   // hole_pattern.cc
 MaybeFailure execute_tool_replacement(Control& control,
                                       const NcBlock& block);  // tool_replacement.cc
 

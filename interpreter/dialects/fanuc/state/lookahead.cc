@@ -81,6 +81,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::TiltedPlane:
     case GAction::RotationOff:
     case GAction::CannedCycle:
+    case GAction::HolePattern:
     case GAction::CycleOff:
     case GAction::FeedType:
     case GAction::SurfaceSpeed:

@@ -54,6 +54,7 @@ enum class GAction : std::uint8_t {
   OriginOnTableOff,  ///< G255
   RotationOff,
   CannedCycle,
+  HolePattern,  ///< takes the words of its block, and drills with the cycle in force
   CycleOff,
   StrokeCheck,
   FeedType,         ///< a modal code that says what F means
