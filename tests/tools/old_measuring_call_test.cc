@@ -177,23 +177,34 @@ TEST(OldMeasuringCall, ToolsAreMeasured) {
       {kCube, kKnown}, {{"$TC_DP3[5,1]", 100.3}, {"$TC_DP12[5,1]", -0.3}}, 1e-6);
 }
 
-/// Feeds of earlier software are setting data today; what is kept can be written and read.
-TEST(OldMeasuringCall, FurtherParametersAreTaken) {
+/// Feeds of earlier software are setting data today.
+TEST(OldMeasuringCall, FeedsBecomeSettingData) {
   const std::string block = part("block", 100.2, 50.0, -300.0, "");
-  const std::string further =
-      "_SPEED[0]=40 _SPEED[1]=700 _SPEED[2]=600 _SPEED[3]=800 _RF=333 _CALNUM=2 _TENV=\"T\" "
-      "_TNVL=1 _MFS[5]=1 _CM[8]=1 _EVMVNUM[1]=2\n_TXT[0]=\"A\" _PROTNAME[1]=\"B\" _PROTFORM[5]=1 "
-      "_WP[2,10]=1 _KB[2,6]=1 _TP[2,9]=1 _TPW[2,9]=1\n";
-  expect_measured(further + edge(""), {block, kCalibrated},
+  const std::string feeds =
+      "_SPEED[0]=40 _SPEED[1]=700 _SPEED[2]=600 _SPEED[3]=800 _RF=333 _TENV=\"T\"\n"
+      "_TXT[99]=\"A\" _PROTNAME[1]=\"B\" _CALNUM=0 _TPW[2,9]=0\n";
+  expect_measured(feeds + edge(""), {block, kCalibrated},
                   {{"_OVR[4]", 30.2},
                    {"$SCS_MEA_FEED_RAPID_IN_PERCENT", 40},
                    {"$SCS_MEA_FEED_PLANE_VALUE", 700},
                    {"$SCS_MEA_FEED_FEEDAX_VALUE", 600},
                    {"$SCS_MEA_FEED_FAST_MEASURE", 800},
-                   {"$SCS_MEA_FEED_CIRCLE", 333},
-                   {"_CALNUM", 2},
-                   {"_TPW[2,9]", 1}},
+                   {"$SCS_MEA_FEED_CIRCLE", 333}},
                   1e-6);
+}
+
+/// Data that nothing reads are kept, and told where they are not 0.
+TEST(OldMeasuringCall, DataWithoutEffectAreTold) {
+  for (const std::string name : {"_CALNUM", "_EVMVNUM[1]", "_PROTFORM[5]", "_TNVL", "_MFS[5]",
+                                 "_CM[8]", "_WP[2,10]", "_KB[2,6]", "_TP[2,9]", "_TPW[2,9]"}) {
+    SCOPED_TRACE(name);
+    const MeasuringRun run = run_measuring(name + "=2", {}, {name});
+    EXPECT_EQ(run.output.exit_code, 1);
+    EXPECT_EQ(run.at(name), 2.0);
+    const std::string told = "a datum has no effect here: " + name.substr(0, name.find('[')) +
+                             " = 2: the run goes on as with 0";
+    EXPECT_NE(run.output.errors.find(told), std::string::npos) << run.output.errors;
+  }
 }
 
 TEST(OldMeasuringCall, CalibrationAndMemories) {

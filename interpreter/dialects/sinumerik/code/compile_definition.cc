@@ -13,6 +13,10 @@ constexpr std::size_t kLongestName = 31;
 constexpr std::int32_t kLongestString = 200;
 constexpr int kLargestArray = 100'000;  // elements
 
+/// The definition file of the control whose data programs of earlier software write and nothing
+/// reads: writing anything but 0 is told.
+constexpr std::string_view kKeptData = "GUD7_MC";
+
 /// Access rights and the physical unit.
 constexpr std::string_view kNumbered[] = {"APR", "APW", "APRP", "APWP", "APRB", "APWB", "PHU"};
 constexpr std::string_view kDataClasses[] = {"DCM", "DCI", "DCU"};
@@ -234,6 +238,9 @@ void Definitions::def_statement() {
       pass_over_value();
     } else if (variable) {
       variable->limits = limits;
+      if (is_shipped_ && program_.name == kKeptData && is_number(variable->type)) {
+        variable->fixed = 0.0;
+      }
       define_with_value(*variable);
     }
   } while (!failed() && cursor_.accept(Symbol::Comma));
