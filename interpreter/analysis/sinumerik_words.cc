@@ -40,15 +40,20 @@ class JudgedWords {
     int count = 0;
     std::optional<double> mode;
     std::optional<double> trigger;
+    bool has_second = false;
+    std::optional<double> second_trigger;
+    bool is_beside_positioning = false;  ///< POS stands in the block, and may be what measures
   };
 
   WrongStep take(std::size_t address, std::optional<double> value, Modification modification);
   WrongStep take_axis_word(const Op& step, const SinumerikConstants& constants);
+  void take_measuring(const Op& step, const SinumerikConstants& constants);
   WrongStep take_block(const sinumerik::NcBlock& block);
   [[nodiscard]] WrongStep plain_words() const;
   [[nodiscard]] WrongStep corners() const;
   [[nodiscard]] WrongStep special(sinumerik::GAction action) const;
   [[nodiscard]] WrongStep polar() const;
+  [[nodiscard]] WrongStep triggers() const;
   [[nodiscard]] WrongStep measuring() const;
   [[nodiscard]] WrongStep circle() const;
   [[nodiscard]] WrongStep feed() const;
@@ -88,11 +93,24 @@ WrongStep JudgedWords::take(std::size_t address, std::optional<double> value,
 
 WrongStep JudgedWords::take_axis_word(const Op& step, const SinumerikConstants& constants) {
   const auto& row = sinumerik::info(static_cast<sinumerik::AxisWordId>(step.detail));
+  measuring_.is_beside_positioning =
+      measuring_.is_beside_positioning || row.role == sinumerik::AxisRole::Positioning;
   const auto axis = constants.number(step.a);
   const auto value = constants.number(step.b);
   return is_setting(row.role) && axis && value && *axis >= 0.0
              ? sinumerik::wrong_axis_setting(row, static_cast<int>(*axis), *value)
              : std::nullopt;
+}
+
+void JudgedWords::take_measuring(const Op& step, const SinumerikConstants& constants) {
+  if (step.detail == sinumerik::kSecondTrigger) {
+    measuring_.has_second = true;
+    measuring_.second_trigger = constants.number(step.b);
+    return;
+  }
+  ++measuring_.count;
+  measuring_.mode = constants.number(step.result);
+  measuring_.trigger = constants.number(step.b);
 }
 
 WrongStep JudgedWords::look_at(const Op& step, const SinumerikConstants& constants) {
@@ -108,10 +126,7 @@ WrongStep JudgedWords::look_at(const Op& step, const SinumerikConstants& constan
     return take_axis_word(step, constants);
   }
   if (step.code == OpCode::AxisMeasuring) {
-    // A second trigger makes it two, which only a run judges.
-    ++measuring_.count;
-    measuring_.mode = constants.number(step.result);
-    measuring_.trigger = constants.number(step.b);
+    take_measuring(step, constants);
   }
   has_open_code_ = has_open_code_ || step.code == OpCode::GroupCode;
   return step.code == OpCode::Execute || step.code == OpCode::NcBlock
@@ -221,14 +236,28 @@ WrongStep JudgedWords::polar() const {
              : std::nullopt;
 }
 
+/// What MEASA says, if it measures.
+WrongStep JudgedWords::triggers() const {
+  if (WrongStep wrong = sinumerik::wrong_measuring_mode(*measuring_.mode)) {
+    return wrong;
+  }
+  if (!measuring_.trigger) {
+    return std::nullopt;
+  }
+  if (WrongStep wrong = sinumerik::wrong_trigger("MEASA", *measuring_.trigger)) {
+    return wrong;
+  }
+  const auto second = measuring_.second_trigger;
+  return measuring_.has_second && second && *second != 0.0
+             ? sinumerik::wrong_second_trigger(*measuring_.trigger, *second)
+             : std::nullopt;
+}
+
 /// MEAS, MEAW, and MEASA or MEAWA of one axis.
 WrongStep JudgedWords::measuring() const {
   const bool is_one =
       measuring_.count == 1 && measuring_.mode && sinumerik::measures(*measuring_.mode);
-  WrongStep wrong = is_one ? sinumerik::wrong_measuring_mode(*measuring_.mode) : std::nullopt;
-  wrong = wrong                          ? wrong
-          : is_one && measuring_.trigger ? sinumerik::wrong_trigger("MEASA", *measuring_.trigger)
-                                         : std::nullopt;
+  WrongStep wrong = is_one ? triggers() : std::nullopt;
   const auto by_word = [](double trigger) { return sinumerik::wrong_trigger("MEAS", trigger); };
   const int words =
       (is_one ? 1 : 0) + (stands(Address::Measure) ? 1 : 0) + (stands(Address::MeasureOn) ? 1 : 0);
@@ -239,7 +268,9 @@ WrongStep JudgedWords::measuring() const {
   wrong = wrong ? wrong : judged(Address::MeasureOn, by_word);
   const auto by_code = motion();
   const bool is_line = by_code == number_in_group("G0") || by_code == number_in_group("G1");
-  return wrong || words == 0 || !by_code || is_line ? wrong : sinumerik::measured_circle();
+  return wrong || words == 0 || !by_code || is_line || measuring_.is_beside_positioning
+             ? wrong
+             : sinumerik::measured_circle();
 }
 
 /// TURN and AR of a block with its own code of a circle.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/code/word_compiler.h"
+#include "interpreter/dialects/sinumerik/code/word_limits.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -300,22 +301,29 @@ void WordCompiler::axis_word(const AxisWordInfo& row) {
   nc_.add_computed();
 }
 
-/// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger); MEASA with a second trigger, too.
+/// One number of MEASA[axis]=(...).
+Expr WordCompiler::measuring_number() {
+  return operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
+}
+
+/// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger); MEASA with a second trigger, too.  A
+/// mode alone breaks off: without a trigger nothing can be measured.
 void WordCompiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where) {
   expect(Symbol::Assign);
   expect(Symbol::LeftParen);
-  const Expr mode =
-      operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
-  expect(Symbol::Comma);
-  const Expr trigger =
-      operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
+  const Expr mode = measuring_number();
+  const bool must_measure = mode.is_constant && measures(number_of(mode));
+  const bool is_alone = !must_measure && cursor_.peek().is(Symbol::RightParen);
+  if (!is_alone) {
+    expect(Symbol::Comma);
+  }
+  const Expr trigger = is_alone ? operations_.constant(Type::Int, 0.0, where) : measuring_number();
   const bool goes_on = row.id == AxisWordId::MeasureAxesOn;
   code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
   code_.last().detail = goes_on ? 1 : 0;
   if (cursor_.peek().is(Symbol::Comma) && !goes_on) {
     expect(Symbol::Comma);
-    const Expr second =
-        operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
+    const Expr second = measuring_number();
     code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, second.value, where);
     code_.last().detail = kSecondTrigger;
   }

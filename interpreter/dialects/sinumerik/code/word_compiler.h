@@ -52,6 +52,7 @@ class WordCompiler : private BlockPart {
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr bracketed_axis(const AxisWordInfo& row);
   void axis_word(const AxisWordInfo& row);
+  Expr measuring_number();
   void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
   Expr bracketed_spindle();
   [[nodiscard]] bool is_master_spindle(const Expr& spindle) const;

@@ -148,6 +148,16 @@ MaybeWrong wrong_measuring_mode(double mode) {
              : std::nullopt;
 }
 
+MaybeWrong wrong_second_trigger(double first, double second) {
+  if (MaybeWrong wrong_one = wrong_trigger("MEASA", second)) {
+    return wrong_one;
+  }
+  const bool same_edge = (first > 0.0) == (second > 0.0);
+  return same_edge && first != second
+             ? std::nullopt
+             : wrong(AlarmId::NotImplemented, "MEASA: two edges of one probe, or different edges");
+}
+
 WrongValue measured_twice() {
   return {AlarmId::MeasuringTwice, ""};
 }

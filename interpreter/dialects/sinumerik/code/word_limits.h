@@ -75,6 +75,8 @@ constexpr bool measures(double mode) {
   return static_cast<int>(mode) % 10 != 0;
 }
 MaybeWrong wrong_measuring_mode(double mode);
+/// A second trigger of MEASA.
+MaybeWrong wrong_second_trigger(double first, double second);
 /// Of two words that measure in a block.
 WrongValue measured_twice();
 /// Of one that measures beside another motion than G0 and G1.

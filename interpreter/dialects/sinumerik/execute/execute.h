@@ -95,10 +95,13 @@ MaybeFailure approach_fixed_point(Channel& channel, const Block& block);
 MaybeFailure move_straight(Channel& channel, const Block& block);
 /// G2, G3, CIP and CT.
 MaybeFailure move_along_circle(Channel& channel, const Block& block);
-/// Whether the block measures, or a synchronised action may end its move.
+/// Whether the path of the block measures, or a synchronised action may end its move.
 bool listens_to_probe(const Channel& channel, const Block& block);
 /// MEAS, MEAW, MEASA, MEAWA and WHEN ... DO DELDTG
 MaybeFailure measure(Channel& channel, const Block& block);
+/// The same of a positioning axis.  @param feed_per_min  0: rapid
+MaybeFailure measure_axis(Channel& channel, const Block& block, const AxisPositions& q_W_end,
+                          double feed_per_min);
 /// From here on motions are read and not travelled.
 MaybeFailure begin_contour(Channel& channel);
 /// Motions are travelled again, from where the axes stand.

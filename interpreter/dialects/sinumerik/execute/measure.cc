@@ -1,113 +1,36 @@
-#include <cmath>
-#include <string_view>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/measuring.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "interpreter/runtime/touch_event.h"
 
 namespace g31::sinumerik {
 namespace {
 
-/// What the words of a block make of the probe.
-struct Measuring {
-  int probe = 1;
-  machine::SignalEdge edge = machine::SignalEdge::Rising;
-  machine::AfterSignal after = machine::AfterSignal::Stop;
-  bool by_action = false;  ///< DELDTG: nothing is latched
-  int further = 0;         ///< a second probe, 0: none
+/// A way that the probe may end.
+struct MeasuredWay {
+  AxisPositions q_W_end = AxisPositions::Zero();
+  /// FA of the positioning axis that goes alone, 0: rapid; nullopt: the path goes.
+  std::optional<double> axis_feed_per_min;
 };
 
-/// @param trigger  1 to 8, minus: falling edge
-Result<Measuring, Failure> of_trigger(double trigger, machine::AfterSignal after,
-                                      std::string_view word) {
-  if (auto wrong = wrong_trigger(word, trigger)) {
-    return failure(*std::move(wrong));
-  }
-  return Measuring{static_cast<int>(std::abs(trigger)),
-                   trigger > 0.0 ? machine::SignalEdge::Rising : machine::SignalEdge::Falling,
-                   after, false, 0};
-}
-
-/// With the second trigger of MEASA.
-Result<Measuring, Failure> with_second(Measuring first, double trigger) {
-  const auto second = of_trigger(trigger, first.after, "MEASA");
-  if (!second) {
-    return second.error();
-  }
-  if (second.value().edge != first.edge || second.value().probe == first.probe) {
-    return failure(AlarmId::NotImplemented, "MEASA: two edges of one probe, or different edges");
-  }
-  first.further = second.value().probe;
-  return first;
-}
-
-/// MEASA and MEAWA of all axes together.
-Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
-  const BlockWords::AxisMeasuring* first = nullptr;
-  for (const auto& axis : words.axis_measuring) {
-    if (!axis || !measures(axis->mode)) {
-      continue;  // not this axis, or its measuring is broken off
-    }
-    if (auto wrong = wrong_measuring_mode(axis->mode)) {
-      return failure(*std::move(wrong));
-    }
-    if (first != nullptr && (first->trigger != axis->trigger || first->goes_on != axis->goes_on ||
-                             first->second_trigger != axis->second_trigger)) {
-      return failure(measured_twice());
-    }
-    first = &*axis;
-  }
-  if (first == nullptr) {
-    return std::optional<Measuring>();
-  }
-  auto found =
-      of_trigger(first->trigger,
-                 first->goes_on ? machine::AfterSignal::GoOn : machine::AfterSignal::Stop, "MEASA");
-  if (found && first->second_trigger != 0.0) {
-    found = with_second(found.value(), first->second_trigger);
-  }
-  return found ? Result<std::optional<Measuring>, Failure>(found.value()) : found.error();
-}
-
-/// nullopt: the block does not measure after all.
-Result<std::optional<Measuring>, Failure> measuring_of(const Channel& channel,
-                                                       const BlockWords& words) {
-  auto found = of_axes(words);
-  if (!found) {
-    return found;
-  }
-  for (const Address address : {Address::Measure, Address::MeasureOn}) {
-    if (!words.has(address)) {
-      continue;
-    }
-    if (found.value()) {
-      return failure(measured_twice());
-    }
-    const auto of_word = of_trigger(
-        words[address].value,
-        address == Address::Measure ? machine::AfterSignal::Stop : machine::AfterSignal::GoOn,
-        "MEAS");
-    if (!of_word) {
-      return of_word.error();
-    }
-    found = std::optional(of_word.value());
-  }
-  if (!found.value() && channel.skip_action) {
-    found = std::optional(Measuring{channel.skip_action->probe, channel.skip_action->edge,
-                                    machine::AfterSignal::Stop, true});
-  }
-  return found;
-}
-
 Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Block& block,
-                                                    const AxisPositions& q_W_end) {
+                                                    const MeasuredWay& way) {
+  const AxisPositions& q_W_end = way.q_W_end;
   machine::LinearMove move;
   move.smoothness.limits_jerk = limits_jerk(channel);
   move.q_M_end = coupled_end(channel, channel.port.position(), channel.to_machine(q_W_end));
   move.transform = channel.leads();
+  if (way.axis_feed_per_min) {
+    if (*way.axis_feed_per_min > 0.0) {
+      move.traverse = machine::Traverse::Feed;
+      move.feed_mm_min = *way.axis_feed_per_min;
+    }
+    return move;
+  }
   if (channel.group[Group::Motion] == number_in_group("G0")) {
     return move;
   }
@@ -210,9 +133,9 @@ Result<std::vector<AxisPositions>, Failure> ends_of(Channel& channel, const Bloc
 /// @param is_last  the block has no other behind it
 /// @returns whether the signal has come
 Result<bool, Failure> measure_along(Channel& channel, const Block& block,
-                                    const Measuring& measuring, const AxisPositions& q_W_end,
+                                    const Measuring& measuring, const MeasuredWay& way,
                                     bool is_last) {
-  const auto straight = measuring_move(channel, block, q_W_end);
+  const auto straight = measuring_move(channel, block, way);
   if (!straight) {
     return straight.error();
   }
@@ -245,22 +168,16 @@ Result<bool, Failure> measure_along(Channel& channel, const Block& block,
   if (const machine::FurtherTouch* const further = further_of(outcome.value())) {
     settle_second(channel, *further, measuring.further);
   }
-  settle(channel, event, measuring, q_W_end);
+  settle(channel, event, measuring, way.q_W_end);
   if (event.triggered || is_last) {
     report(channel, measuring, event, outcome.value(), state);
   }
   return event.triggered;
 }
 
-MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring& measuring) {
-  const auto q_W_end = programmed_end(channel, block);
-  if (!q_W_end) {
-    return q_W_end.error();
-  }
-  const auto ends = ends_of(channel, block, measuring, q_W_end.value());
-  if (!ends) {
-    return ends.error();
-  }
+/// Goes the ways of a block until the signal comes.
+MaybeFailure measure_ways(Channel& channel, const Block& block, const Measuring& measuring,
+                          const std::vector<MeasuredWay>& ways) {
   if (MaybeFailure wrong = compensate_axes(channel)) {
     return wrong;
   }
@@ -273,9 +190,8 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
     channel.warnings.add(channel.diagnostics, source::DiagnosticId::MeasuredCompensated,
                          block.where);
   }
-  for (std::size_t i = 0; i < ends.value().size(); ++i) {
-    const auto triggered =
-        measure_along(channel, block, measuring, ends.value()[i], i + 1 == ends.value().size());
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const auto triggered = measure_along(channel, block, measuring, ways[i], i + 1 == ways.size());
     if (!triggered) {
       return triggered.error();
     }
@@ -286,23 +202,35 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   return std::nullopt;
 }
 
-}  // namespace
-
-bool listens_to_probe(const Channel& channel, const Block& block) {
-  return block.words.has_axis_measuring || block.words.has(Address::Measure) ||
-         block.words.has(Address::MeasureOn) || (channel.skip_action && commands_motion(block));
+MaybeFailure measure_path(Channel& channel, const Block& block, const Measuring& measuring) {
+  const auto q_W_end = programmed_end(channel, block);
+  if (!q_W_end) {
+    return q_W_end.error();
+  }
+  const auto ends = ends_of(channel, block, measuring, q_W_end.value());
+  if (!ends) {
+    return ends.error();
+  }
+  std::vector<MeasuredWay> ways;
+  for (const AxisPositions& q_W_piece : ends.value()) {
+    ways.push_back({q_W_piece, std::nullopt});
+  }
+  return measure_ways(channel, block, measuring, ways);
 }
+
+}  // namespace
 
 MaybeFailure measure(Channel& channel, const Block& block) {
   const auto measuring = measuring_of(channel, block.words);
   channel.skip_action.reset();
-  if (!measuring) {
-    return measuring.error();
-  }
-  if (!measuring.value()) {
-    return move_straight(channel, block);
-  }
-  return measure_with(channel, block, *measuring.value());
+  return measuring ? measure_path(channel, block, measuring.value()) : measuring.error();
+}
+
+MaybeFailure measure_axis(Channel& channel, const Block& block, const AxisPositions& q_W_end,
+                          double feed_per_min) {
+  const auto measuring = measuring_of(channel, block.words);
+  return measuring ? measure_ways(channel, block, measuring.value(), {{q_W_end, feed_per_min}})
+                   : measuring.error();
 }
 
 }  // namespace g31::sinumerik

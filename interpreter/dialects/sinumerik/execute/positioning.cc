@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/measuring.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "machine/base/contract.h"
 
@@ -137,16 +138,24 @@ machine::BlockEnd end_of(MotionEnd motion_end) {
   return machine::BlockEnd::ExactStop;
 }
 
+/// FA with its overrides, mm/min or deg/min; 0: rapid.
+double feed_of(const Channel& channel, int axis) {
+  const AxisSettings& settings = channel.axis_settings;
+  return settings.feed[static_cast<std::size_t>(axis)] * settings.override_percent[axis] / 100.0 *
+         channel.feed_switches.override_percent / 100.0;
+}
+
 /// @param place_W  work coordinate of the axis
 MaybeFailure move_one(Channel& channel, const Block& block, int axis, double place_W) {
   AxisPositions q_W_end = channel.present();
   q_W_end[axis] = place_W;
+  if (measures_positioning(block)) {
+    return measure_axis(channel, block, q_W_end, feed_of(channel, axis));
+  }
   path::PathBlock path;
   path.q_M_end = channel.to_path(q_W_end);
   const AxisSettings& settings = channel.axis_settings;
-  path.feed_mm_min = settings.feed[static_cast<std::size_t>(axis)] *
-                     settings.override_percent[axis] / 100.0 *
-                     channel.feed_switches.override_percent / 100.0;
+  path.feed_mm_min = feed_of(channel, axis);
   path.g = path.feed_mm_min > 0.0 ? 1 : 0;
   path.ends = end_of(settings.motion_end[static_cast<std::size_t>(axis)]);
   path.where = block.where;
@@ -192,7 +201,11 @@ void take_axis_settings(Channel& channel, const Block& block) {
 }
 
 MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {
-  if (MaybeFailure wrong = finish_corners(channel)) {
+  const bool measures = measures_positioning(block);
+  if (MaybeFailure wrong = measures ? cannot_measure_positioning(block) : std::nullopt) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = measures ? leave_compensation(channel) : finish_corners(channel)) {
     return wrong;
   }
   take_axis_data(channel);
