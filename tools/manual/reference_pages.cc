@@ -29,8 +29,9 @@ constexpr std::array<std::string_view, 1> kParameters = {"parameter"};
 constexpr std::array<std::string_view, 1> kAlarms = {"alarm"};
 constexpr std::array<std::string_view, 2> kSinumerikVariables = {"variable", "system variable"};
 constexpr std::array<std::string_view, 1> kSinumerikCodes = {"G code"};
-constexpr std::array<std::string_view, 7> kSinumerikLanguage = {
-    "statement", "function", "procedure", "operator", "constant", "address", "address of an axis"};
+constexpr std::array<std::string_view, 8> kSinumerikLanguage = {
+    "statement", "function", "procedure",          "operator",
+    "constant",  "address",  "address of an axis", "form of a value"};
 constexpr std::array<std::string_view, 1> kMachineData = {"machine or setting datum"};
 constexpr std::array<std::string_view, 2> kMeasuringData = {"global variable", "macro"};
 

@@ -14,6 +14,24 @@ constexpr double kSpindle = 1.0;
 /// What a word without a number is of: S, M3, SPOS, also S[0] and SPOS[0].
 constexpr double kMasterSpindle = 0.0;
 
+constexpr Address kPlaces[] = {Address::AxisU,   Address::AxisV,   Address::AxisW,
+                               Address::CentreX, Address::CentreY, Address::CentreZ,
+                               Address::MiddleX, Address::MiddleY, Address::MiddleZ};
+constexpr Address kOtherPlaces[] = {Address::Spindle, Address::SpindleAsync, Address::PolarAngle,
+                                    Address::PolarRadius, Address::ToolWay};
+
+/// Whether the value of an address may stand in AC and the like: DAC and its kind say places of
+/// axes and of centres only.
+bool is_modifiable(Address address, Modification modification) {
+  if (modification == Modification::Quick) {
+    return false;
+  }
+  const bool is_place =
+      index_of(address) < kAxisCount || std::ranges::find(kPlaces, address) != std::end(kPlaces);
+  return is_place || (!says_across(modification) &&
+                      std::ranges::find(kOtherPlaces, address) != std::end(kOtherPlaces));
+}
+
 }  // namespace
 
 bool WordCompiler::is_assigned(std::size_t ahead) const {
@@ -216,15 +234,7 @@ void WordCompiler::word(Address address, ShortSpan where) {
   const bool is_quick = modification == Modification::Quick &&
                         (address == Address::Auxiliary || address == Address::Speed);
   modification = is_quick ? Modification::None : modification;
-  const bool modifiable = index_of(address) < kAxisCount || address == Address::AxisU ||
-                          address == Address::AxisV || address == Address::AxisW ||
-                          address == Address::CentreX || address == Address::CentreY ||
-                          address == Address::CentreZ || address == Address::Spindle ||
-                          address == Address::SpindleAsync || address == Address::MiddleX ||
-                          address == Address::MiddleY || address == Address::MiddleZ ||
-                          address == Address::PolarAngle || address == Address::PolarRadius ||
-                          address == Address::ToolWay;
-  if (modification == Modification::Quick || (modification != Modification::None && !modifiable)) {
+  if (modification != Modification::None && !is_modifiable(address, modification)) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
   }

@@ -40,14 +40,18 @@ Result<Vector, Failure> centre_by_radius(const Circle& circle, double radius) {
   return Vector(circle.start + chord / 2.0 + side * height * left_of(chord) / (2.0 * half));
 }
 
-/// I, J, K from the start; with AC in work coordinates.
+/// I, J, K from the start, radii whatever DIAMON says; with AC in work coordinates, as it says.
 Vector centre_by_words(const Channel& channel, const Block& block, const Circle& circle) {
   Vector centre = circle.start;
   const int axes[] = {circle.plane.first, circle.plane.second};
   for (int i = 0; i < 2; ++i) {
     const BlockWords::Word& word = block.words[kCentre[axes[i]]];
-    if (word.present && word.modification == Modification::Absolute) {
-      centre[i] = channel.stored_place(axes[i], word.value, Channel::Counts::Absolute);
+    if (word.present && is_absolute(word.modification)) {
+      centre[i] =
+          channel.stored_place(axes[i], word.value, Channel::Counts::Absolute, word.modification);
+    } else if (word.present && says_across(word.modification)) {
+      centre[i] += channel.stored_place(axes[i], word.value, Channel::Counts::Incremental,
+                                        word.modification);
     } else if (word.present) {
       centre[i] += channel.stored(axes[i], word.value);
     }
@@ -171,11 +175,12 @@ AxisPositions middle_of(const Channel& channel, const Block& block,
   AxisPositions middle = q_W_start;
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& word = block.words[kMiddle[axis]];
-    const bool adds = word.modification == Modification::Incremental ||
+    const bool adds = is_incremental(word.modification) ||
                       (word.modification == Modification::None &&
                        channel.group[Group::Distance] == number_in_group("G91"));
     const double value = channel.stored_place(
-        axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
+        axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute,
+        word.modification);
     if (word.present) {
       middle[axis] = adds ? middle[axis] + value : value;
     }

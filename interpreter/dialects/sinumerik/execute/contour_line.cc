@@ -20,7 +20,7 @@ PlaneVector direction_of(double degrees) {
 }
 
 bool adds(const Channel& channel, const BlockWords::Word& word) {
-  return word.modification == Modification::Incremental ||
+  return is_incremental(word.modification) ||
          (word.modification == Modification::None &&
           channel.group[Group::Distance] == number_in_group("G91"));
 }

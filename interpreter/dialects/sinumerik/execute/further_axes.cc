@@ -32,17 +32,20 @@ Result<double, Failure> place_of(const Channel& channel, int axis, const BlockWo
   if (further == nullptr) {
     return no_such_axis(axis);
   }
-  const bool adds = word.modification == Modification::Incremental ||
+  const bool adds = is_incremental(word.modification) ||
                     (word.modification == Modification::None && channel.suppression == 0 &&
                      channel.group[Group::Distance] == number_in_group("G91"));
-  if (word.modification != Modification::None && word.modification != Modification::Incremental &&
-      word.modification != Modification::Absolute) {
+  if (word.modification != Modification::None && !is_incremental(word.modification) &&
+      !is_absolute(word.modification)) {
     return failure(AlarmId::BadModification,
                    fmt::format("{} is not a rotary axis", letter_of_axis(axis)));
   }
   const Frame frame = channel.active_frame();
   const double from = adds ? frame.undo(axis, further->at) : 0.0;
-  const double place = frame.apply(axis, from + word.value * channel.mm_per_length());
+  const double way = channel.stored_place(
+      axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute,
+      word.modification);
+  const double place = frame.apply(axis, from + way);
   if (place < further->travel_min || place > further->travel_max) {
     return failure(AlarmId::SoftLimit,
                    fmt::format("{}{:g}: {:g} to {:g}", letter_of_axis(axis), place,

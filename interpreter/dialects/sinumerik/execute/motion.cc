@@ -34,6 +34,10 @@ double rotary_end(double now, double angle, Modification modification) {
     case Modification::Absolute:
     case Modification::Incremental:
     case Modification::Quick:
+    case Modification::AbsoluteDiameter:
+    case Modification::IncrementalDiameter:
+    case Modification::AbsoluteRadius:
+    case Modification::IncrementalRadius:
       break;
   }
   return angle;
@@ -87,12 +91,17 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
     return failure(AlarmId::BadModification,
                    fmt::format("{} is not a rotary axis", kAxisLetters[axis]));
   }
+  if (says_across(word.modification) && !is_linear_axis(axis)) {
+    return failure(AlarmId::BadModification,
+                   fmt::format("{} is not a linear axis", kAxisLetters[axis]));
+  }
   const bool incremental =
       channel.group[Group::Distance] == kIncremental && channel.suppression == 0;
-  const bool adds = word.modification == Modification::Incremental ||
-                    (word.modification == Modification::None && incremental);
+  const bool adds =
+      is_incremental(word.modification) || (word.modification == Modification::None && incremental);
   const double value = channel.stored_place(
-      axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
+      axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute,
+      word.modification);
   if (!adds && channel.is_modulo(axis)) {
     return modulo_place(channel, axis, {value, word.modification, true}, now);
   }

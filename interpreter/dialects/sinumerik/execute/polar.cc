@@ -79,7 +79,8 @@ MaybeFailure set_pole(Channel& channel, const Block& block, const GCode& code) {
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (word.present) {
-      q_W[axis] += channel.stored_place(axis, word.value, Channel::Counts::Absolute);
+      q_W[axis] +=
+          channel.stored_place(axis, word.value, Channel::Counts::Absolute, word.modification);
     }
   }
   channel.pole = {q_W, std::nullopt, std::nullopt};

@@ -97,6 +97,14 @@ void add_words(Topics& all) {
     }
     all.push_back({text(row.name), "", std::move(entry)});
   }
+  for (const ModificationInfo& row : modifications()) {
+    all.push_back({text(row.name),
+                   "",
+                   {"form of a value",
+                    text(row.name),
+                    text(row.text),
+                    {{"form", fmt::format("X={}(value)", row.name)}}}});
+  }
   for (const AddressInfo& row : addresses()) {
     all.push_back({text(row.name), "", {"address", text(row.name), text(row.text), {}}});
   }

@@ -233,10 +233,14 @@ int Channel::diameter_code(int axis) const {
   return of_channel != kRadius && axis == transverse_axis() ? of_channel : kRadius;
 }
 
-double Channel::stored_place(int axis, double value, Counts counts) const {
+double Channel::stored_place(int axis, double value, Counts counts,
+                             Modification modification) const {
   const int code = diameter_code(axis);
   const bool doubled =
-      code == kDiameterAlways || (code == kDiameterAbsolute && counts == Counts::Absolute);
+      says_across(modification)
+          ? modification == Modification::AbsoluteDiameter ||
+                modification == Modification::IncrementalDiameter
+          : code == kDiameterAlways || (code == kDiameterAbsolute && counts == Counts::Absolute);
   return stored(axis, doubled ? value / 2.0 : value);
 }
 

@@ -67,8 +67,9 @@ class Channel : public ChannelState {
   /// A coordinate as a word of a block has it, in mm or degrees.
   [[nodiscard]] double stored(int axis, double value) const;
   enum class Counts { Absolute, Incremental };
-  /// The same in the work coordinate system, where DIAMON counts.
-  [[nodiscard]] double stored_place(int axis, double value, Counts counts) const;
+  /// The same in the work coordinate system, where DIAMON counts, unless DAC and its kind say.
+  [[nodiscard]] double stored_place(int axis, double value, Counts counts,
+                                    Modification modification) const;
   /// A coordinate as a datum, in mm or degrees; and back.
   [[nodiscard]] double stored_datum(int axis, double value) const;
   [[nodiscard]] double shown_datum(int axis, double value) const;

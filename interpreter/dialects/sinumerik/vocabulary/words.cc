@@ -56,13 +56,11 @@ constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
 #undef Path
 });
 
-struct ModificationRow {
-  std::string_view name;
-  Modification modification;
-};
-constexpr ModificationRow kModifications[] = {
-    {"AC", Modification::Absolute}, {"IC", Modification::Incremental}, {"DC", Modification::Direct},
-    {"ACP", Modification::Plus},    {"ACN", Modification::Minus},      {"QU", Modification::Quick}};
+constexpr auto kModifications = std::to_array<ModificationInfo>({
+#define MODIFICATION(id, name, text) {Modification::id, name, text},
+#include "interpreter/dialects/sinumerik/vocabulary/modifications.def"
+#undef MODIFICATION
+});
 
 /// Most addresses are one letter: A to Z.
 std::vector<std::optional<Address>> addresses_by_letter() {
@@ -108,13 +106,13 @@ ValueRange range_of(Address address) {
                                          kAddresses[index - kAxisCount].most};
 }
 
+std::span<const ModificationInfo> modifications() {
+  return kModifications;
+}
+
 std::optional<Modification> find_modification(std::string_view name) {
-  for (const ModificationRow& row : kModifications) {
-    if (row.name == name) {
-      return row.modification;
-    }
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(kModifications, name, &ModificationInfo::name);
+  return found != kModifications.end() ? std::optional(found->modification) : std::nullopt;
 }
 
 std::span<const AxisWordInfo> axis_words() {

@@ -101,16 +101,38 @@ constexpr int most_in_block(Address address) {
                                          : 1;
 }
 
-/// How the value of a word counts.
+/// How the value of a word counts: rows of modifications.def.
 enum class Modification : std::uint16_t {
   None,
-  Absolute,     ///< AC
-  Incremental,  ///< IC
-  Direct,       ///< DC: rotary, the shorter way
-  Plus,         ///< ACP
-  Minus,        ///< ACN
-  Quick,        ///< QU: an auxiliary function that does not wait; here nothing does
+#define MODIFICATION(id, name, text) id,
+#include "interpreter/dialects/sinumerik/vocabulary/modifications.def"
+#undef MODIFICATION
 };
+
+struct ModificationInfo {
+  Modification modification;
+  std::string_view name;
+  std::string_view text;
+};
+
+std::span<const ModificationInfo> modifications();
+
+/// Whether a word says itself whether it counts in diameter or in radius.
+constexpr bool says_across(Modification modification) {
+  return modification == Modification::AbsoluteDiameter ||
+         modification == Modification::IncrementalDiameter ||
+         modification == Modification::AbsoluteRadius ||
+         modification == Modification::IncrementalRadius;
+}
+constexpr bool is_incremental(Modification modification) {
+  return modification == Modification::Incremental ||
+         modification == Modification::IncrementalDiameter ||
+         modification == Modification::IncrementalRadius;
+}
+constexpr bool is_absolute(Modification modification) {
+  return modification == Modification::Absolute || modification == Modification::AbsoluteDiameter ||
+         modification == Modification::AbsoluteRadius;
+}
 
 /// @param name  upper case
 std::optional<Modification> find_modification(std::string_view name);
