@@ -46,6 +46,7 @@ SinumerikAccesses::Operands SinumerikAccesses::operands_of(sinumerik::OpCode cod
       {OpCode::TextToNumber, {kNumber, kText, kNo}},
       {OpCode::TextWord, {kNo, kText, kNo}},
       {OpCode::JumpText, {kNo, kText, kNo}},
+      {OpCode::RepeatText, {kNo, kText, kText}},
       {OpCode::MoveFrame, {kFrame, kFrame, kFrame}},
       {OpCode::Chain, {kFrame, kFrame, kFrame}},
       {OpCode::EqualFrame, {kNumber, kFrame, kFrame}},
@@ -160,6 +161,8 @@ void SinumerikAccesses::arguments(const Step& step) const {
   if (is_call) {
     const auto& site = program_.calls[static_cast<std::size_t>(op.a.place)];
     operand(step, List::Texts, site.text, Access::Kind::Read);
+    operand(step, List::Texts, site.first_label, Access::Kind::Read);
+    operand(step, List::Texts, site.last_label, Access::Kind::Read);
     operand(step, List::Numbers, site.passes, Access::Kind::Read);
     first = site.first_argument;
     count = site.argument_count;

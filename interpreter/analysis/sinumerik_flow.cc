@@ -70,6 +70,8 @@ class SinumerikTranslation {
   [[nodiscard]] std::optional<Repair> other_direction(const std::string& name,
                                                       syntax::ShortSpan where) const;
   void repeat_part(StepIndex step);
+  void repeat_text(StepIndex step);
+  void repeat(const sinumerik::RepeatSite& site, StepIndex step);
   void call(const sinumerik::CallSite& site, syntax::ShortSpan where);
   void stop(AlarmId id, syntax::ShortSpan where, const std::string& detail);
   void stop_for_constant(StepIndex step);
@@ -161,6 +163,8 @@ void SinumerikTranslation::follow(StepIndex step) {
     jump_to_text(step);
   } else if (code == OpCode::RepeatPart) {
     repeat_part(step);
+  } else if (code == OpCode::RepeatText) {
+    repeat_text(step);
   } else if (code == OpCode::Raise) {
     const auto& error = program_.errors[static_cast<std::size_t>(here.a.place)];
     const bool is_asked_for =
@@ -288,11 +292,47 @@ void SinumerikTranslation::repeat_part(StepIndex step) {
     stop_for_constant(step);
     return;
   }
+  repeat(site, step);
+}
+
+void SinumerikTranslation::repeat(const sinumerik::RepeatSite& site, StepIndex step) {
   go(site.first, EdgeKind::Part);
   next(step);
   // What ends at this very step ends without a further block.
   if (drafts_[block_of(site.end)].first_step == site.end) {
     parts_.push_back({block_of(site.first), block_of(site.end), block_of(step + 1)});
+  }
+}
+
+/// CALL BLOCK with texts: where they are no constants, to any label, and back from behind any.
+void SinumerikTranslation::repeat_text(StepIndex step) {
+  const Op& here = op(step);
+  if (here.a.bank == Bank::Constants && here.b.bank == Bank::Constants) {
+    const auto text = [&](sinumerik::Operand operand) {
+      return sinumerik::upper(program_.text_constants[static_cast<std::size_t>(operand.place)]);
+    };
+    const auto part = find_part(program_, text(here.a), text(here.b), step);
+    if (!part) {
+      stop(AlarmId::SectionMissing, span(step), "");
+      return;
+    }
+    repeat({part->first, part->first < step ? std::min(part->end, step) : part->end}, step);
+    return;
+  }
+  now().to_any_label = true;
+  next(step);
+  std::set<StepIndex> labels;  // their map has no order of its own
+  for (const auto& [name, steps] : program_.labels) {
+    labels.insert(steps.begin(), steps.end());
+  }
+  for (const sinumerik::BlockNumber& block : program_.block_numbers) {
+    labels.insert(block.step);
+  }
+  for (const StepIndex label : labels) {
+    const StepIndex end = op(label).a.place;
+    if (drafts_[block_of(end)].first_step == end) {
+      parts_.push_back({block_of(label), block_of(end), block_of(step + 1)});
+    }
   }
 }
 

@@ -55,7 +55,7 @@ void CallStatements::call(CallSite site, ShortSpan where) {
              {Bank::Constants, static_cast<std::int32_t>(program_.calls.size()) - 1}, {}, where);
 }
 
-/// CALL text
+/// CALL text, CALL text BLOCK first TO last
 void CallStatements::call_statement() {
   if (cursor_.peek().is_name("BLOCK")) {
     jumps_.call_block();
@@ -63,12 +63,10 @@ void CallStatements::call_statement() {
   }
   CallSite site;
   const Expr name = operations_.as_text(expressions_.expression());
-  if (cursor_.peek().is_name("BLOCK")) {
-    fail(AlarmId::NotImplemented, block(),
-         "CALL BLOCK of another program: make that part a program of its own");
-    return;
-  }
   site.text = name.value;
+  if (cursor_.peek().is_name("BLOCK")) {
+    jumps_.part_of(site);
+  }
   call(site, name.where);
 }
 

@@ -113,6 +113,9 @@ struct CallSite {
   Operand passes;
   bool has_arguments = false;
   bool is_modal = false;  ///< MCALL
+  bool is_part = false;   ///< CALL text BLOCK first TO last
+  Operand first_label;    ///< texts
+  Operand last_label;
   std::uint32_t first_argument = 0;
   std::uint32_t argument_count = 0;
 };
@@ -229,6 +232,11 @@ inline source::Location location_in(const CompiledProgram& program, ShortSpan sp
 /// The step of a jump from `from` to a label or "N100"; nullopt: there is none that way.
 std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,
                                        std::int32_t from, Direction direction);
+
+/// The blocks from one label to another behind it; nullopt: one of them is missing.
+/// @param from  the step from which the first one is looked for
+std::optional<RepeatSite> find_part(const CompiledProgram& program, std::string_view first,
+                                    std::string_view last, std::int32_t from);
 
 /// More results than a block can need at a time.
 inline constexpr std::int32_t kTemporaryCount = 256;

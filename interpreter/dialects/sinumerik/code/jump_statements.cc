@@ -93,17 +93,59 @@ void JumpStatements::emit_part(LabelJumps::Part part, Operand passes) {
   }
 }
 
-/// BLOCK first TO last behind CALL: the part of this program once, as REPEAT first last runs it.
-void JumpStatements::call_block() {
-  cursor_.next();
-  LabelJumps::Part part;
-  part.first = label_name().value_or("");
-  const bool goes_to = cursor_.accept_name("TO");
-  part.end = label_name().value_or("");
-  if (part.first.empty() || !goes_to || part.end.empty()) {
+JumpStatements::Label JumpStatements::label() {
+  const std::int32_t variable =
+      cursor_.peek().kind == TokenKind::Name ? variables_.find(cursor_.peek().text) : -1;
+  const bool is_text =
+      cursor_.peek().kind == TokenKind::Text ||
+      (variable >= 0 &&
+       program_.variables[static_cast<std::size_t>(variable)].type == Type::String);
+  if (is_text) {
+    return {"", operations_.as_text(expressions_.expression()).value};
+  }
+  const auto name = label_name();
+  if (!name) {
     fail(AlarmId::SyntaxInText, block(), "CALL BLOCK first TO last");
   }
+  return {name.value_or(""), {}};
+}
+
+/// BLOCK first TO last, to the end of the block.
+std::pair<JumpStatements::Label, JumpStatements::Label> JumpStatements::labels_of_part() {
+  cursor_.next();
+  Label first = label();
+  if (!failed() && !cursor_.accept_name("TO")) {
+    fail(AlarmId::SyntaxInText, block(), "CALL BLOCK first TO last");
+  }
+  Label last = failed() ? Label() : label();
   expect_end();
+  return {std::move(first), std::move(last)};
+}
+
+Operand JumpStatements::text_of_label(const Label& label) {
+  return label.name.empty() ? label.text : code_.text_constant(label.name);
+}
+
+void JumpStatements::part_of(CallSite& site) {
+  const auto [first, last] = labels_of_part();
+  site.is_part = true;
+  site.first_label = text_of_label(first);
+  site.last_label = text_of_label(last);
+}
+
+/// BLOCK first TO last behind CALL: the part of this program once, as REPEAT first last runs it.
+void JumpStatements::call_block() {
+  const auto [first, last] = labels_of_part();
+  if (failed()) {
+    return;
+  }
+  if (first.name.empty() || last.name.empty()) {
+    code_.emit(OpCode::RepeatText, {}, text_of_label(first), text_of_label(last), block());
+    return;
+  }
+  LabelJumps::Part part;
+  part.first = first.name;
+  part.end = last.name;
   emit_part(std::move(part), code_.number_constant(1.0));
 }
 

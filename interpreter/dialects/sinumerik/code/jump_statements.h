@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "interpreter/dialects/sinumerik/code/expressions.h"
 #include "interpreter/dialects/sinumerik/code/label_jumps.h"
@@ -33,6 +34,8 @@ class JumpStatements : private BlockPart {
   bool jump_statement();
   void repeat_part(bool one_block);
   void call_block();
+  /// What BLOCK first TO last says of another program.
+  void part_of(CallSite& site);
 
   /// The steps from this one on are taken back.
   void take_back(std::size_t first_step) { jumps_.take_back(first_step); }
@@ -43,6 +46,14 @@ class JumpStatements : private BlockPart {
   void jump(Direction direction);
   void jump_to(Direction direction);
   void emit_part(LabelJumps::Part part, Operand passes);
+  /// A label by itself, or a text that names it.
+  struct Label {
+    std::string name;  ///< empty: by text
+    Operand text;
+  };
+  Label label();
+  std::pair<Label, Label> labels_of_part();
+  [[nodiscard]] Operand text_of_label(const Label& label);
 
   KnownVariables& variables_;
   Expressions& expressions_;

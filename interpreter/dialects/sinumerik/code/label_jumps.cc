@@ -75,6 +75,15 @@ std::vector<std::int32_t> steps_of(const CompiledProgram& program, std::string_v
 
 }  // namespace
 
+std::optional<RepeatSite> find_part(const CompiledProgram& program, std::string_view first,
+                                    std::string_view last, std::int32_t from) {
+  const auto begin = find_label(program, first, from, Direction::Both);
+  const auto end = begin ? find_label(program, last, *begin, Direction::Forward) : std::nullopt;
+  return end ? std::optional(
+                   RepeatSite{*begin, program.ops[static_cast<std::size_t>(*end)].a.place})
+             : std::nullopt;
+}
+
 std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,
                                        std::int32_t from, Direction direction) {
   const std::vector<std::int32_t> steps = steps_of(program, name);

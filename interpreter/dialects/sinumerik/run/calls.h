@@ -50,6 +50,7 @@ class Calls {
   };
   std::vector<BoundValue> bound(const CallSite& site);
   bool passes_over(const CallSite& site);
+  MaybeFailure enter_part(const CallSite& site, const CompiledProgram& program);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
   void begin_level(Level& into);
   Result<ReturnTarget, Failure> return_target(const Op& op);

@@ -76,6 +76,9 @@ MaybeFailure Calls::call(const Op& op) {
   if (!program) {
     return passes_over(site) ? std::nullopt : MaybeFailure(program.error());
   }
+  if (site.is_part) {
+    return enter_part(site, *program.value());
+  }
   std::vector<BoundValue> values = bound(site);
   if (site.is_modal) {
     missed_.keep_for_modal_call(missed_.holders_given(site, values));
@@ -101,6 +104,25 @@ MaybeFailure Calls::call(const Op& op) {
   if (level().passes_left > 0) {
     level().arguments = std::move(values);
   }
+  return std::nullopt;
+}
+
+/// CALL text BLOCK first TO last: a level that begins at one label and ends behind the block of the
+/// other.
+MaybeFailure Calls::enter_part(const CallSite& site, const CompiledProgram& program) {
+  constexpr std::int32_t kBeforeAll = -1;
+  const std::string first = upper(operands_.text(site.first_label));
+  const std::string last = upper(operands_.text(site.last_label));
+  const auto part = find_part(program, first, last, kBeforeAll);
+  if (!part) {
+    return failure(AlarmId::SectionMissing,
+                   fmt::format("{} to {} of {}", first, last, program.name));
+  }
+  if (MaybeFailure wrong = enter(program, {})) {
+    return wrong;
+  }
+  level().step = part->first;
+  level().parts.assign(1, {RunningPart::kWholeLevel, part->end, 0, 1});
   return std::nullopt;
 }
 

@@ -92,6 +92,7 @@ class Runner {
   MaybeFailure jump_into(const Op& op);
   MaybeFailure jump_to_text(const Op& op);
   MaybeFailure repeat_part(const Op& op);
+  MaybeFailure repeat_text(const Op& op);
   MaybeFailure end_program(const Op& op);
   MaybeFailure raise(const Op& op);
   MaybeFailure surplus_end(const Op& op);

@@ -125,6 +125,28 @@ MaybeFailure Runner::repeat_part(const Op& op) {
   return std::nullopt;
 }
 
+/// CALL BLOCK with texts as labels: where they are is known now only.
+MaybeFailure Runner::repeat_text(const Op& op) {
+  Level& now = level();
+  const std::int32_t here = stack_.current();
+  const bool is_through = !now.parts.empty() && now.parts.back().site == RunningPart::kByText &&
+                          now.parts.back().end == here;
+  if (is_through && at_end_of_part(here)) {
+    return std::nullopt;
+  }
+  const std::string first = upper(operands_.text(op.a));
+  const std::string last = upper(operands_.text(op.b));
+  const auto part = find_part(*now.program, first, last, here);
+  if (!part) {
+    return failure(AlarmId::SectionMissing, fmt::format("{} to {}", first, last));
+  }
+  // As REPEAT: what begins in front of its call ends there at the latest.
+  const std::int32_t end = part->first < here ? std::min(part->end, here) : part->end;
+  now.parts.push_back({RunningPart::kByText, end, now.step, 1});
+  now.step = part->first;
+  return std::nullopt;
+}
+
 /// The level goes on at a step.  Control structures are interpreted as they come, so a control lets
 /// a jump into one pass (programming manual, work preparation 02/2011, 1.12).
 void Runner::arrive_at(std::int32_t step) {

@@ -50,6 +50,7 @@ struct BoundValue {
 /// One running part of REPEAT, or of a program that runs for it alone.
 struct RunningPart {
   static constexpr std::int32_t kWholeLevel = -1;  ///< behind it the level is left
+  static constexpr std::int32_t kByText = -2;      ///< of CALL BLOCK with texts, once
   std::int32_t site = 0;
   std::int32_t end = 0;      ///< behind its last step
   std::int32_t back_to = 0;  ///< the step behind REPEAT
