@@ -47,6 +47,7 @@ SinumerikAccesses::Operands SinumerikAccesses::operands_of(sinumerik::OpCode cod
       {OpCode::TextWord, {kNo, kText, kNo}},
       {OpCode::JumpText, {kNo, kText, kNo}},
       {OpCode::RepeatText, {kNo, kText, kText}},
+      {OpCode::TellNotSimulated, {kNo, kText, kNo}},
       {OpCode::MoveFrame, {kFrame, kFrame, kFrame}},
       {OpCode::Chain, {kFrame, kFrame, kFrame}},
       {OpCode::EqualFrame, {kNumber, kFrame, kFrame}},

@@ -72,6 +72,7 @@ class SinumerikTranslation {
   void repeat_part(StepIndex step);
   void repeat_text(StepIndex step);
   void repeat(const sinumerik::RepeatSite& site, StepIndex step);
+  void tell_not_simulated(StepIndex step);
   void call(const sinumerik::CallSite& site, syntax::ShortSpan where);
   void stop(AlarmId id, syntax::ShortSpan where, const std::string& detail);
   void stop_for_constant(StepIndex step);
@@ -165,6 +166,8 @@ void SinumerikTranslation::follow(StepIndex step) {
     repeat_part(step);
   } else if (code == OpCode::RepeatText) {
     repeat_text(step);
+  } else if (code == OpCode::TellNotSimulated) {
+    tell_not_simulated(step);
   } else if (code == OpCode::Raise) {
     const auto& error = program_.errors[static_cast<std::size_t>(here.a.place)];
     const bool is_asked_for =
@@ -334,6 +337,15 @@ void SinumerikTranslation::repeat_text(StepIndex step) {
       parts_.push_back({block_of(label), block_of(end), block_of(step + 1)});
     }
   }
+}
+
+/// A run tells it and goes on.
+void SinumerikTranslation::tell_not_simulated(StepIndex step) {
+  const auto place = static_cast<std::size_t>(op(step).a.place);
+  now().faults.push_back({Fault::Kind::NotSimulated, 0, span(step),
+                          program_.text_constants[place] + ": a run tells it and goes on", "",
+                          std::nullopt});
+  next(step);
 }
 
 void SinumerikTranslation::call(const sinumerik::CallSite& site, syntax::ShortSpan where) {

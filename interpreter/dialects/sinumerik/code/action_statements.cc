@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
+
 namespace g31::sinumerik {
 namespace {
 
@@ -188,6 +190,16 @@ void ActionStatements::when_statement() {
   if (!failed()) {
     code_.emit(OpCode::SkipAction, {}, probe.value, level.value, block());
   }
+}
+
+/// A run tells what it does not do, for a program that asks for it counts on it.
+void ActionStatements::interrupt_statement() {
+  const auto row = std::ranges::find(keywords(), cursor_.previous().text, &KeywordInfo::name);
+  reader_.pass_over();
+  // The message says itself that it is not simulated.
+  const std::string_view what = row->text.substr(0, row->text.find(", not simulated"));
+  code_.emit(OpCode::TellNotSimulated, {},
+             code_.text_constant(std::string(row->name) + ", " + std::string(what)), {}, block());
 }
 
 void ActionStatements::synchronised_action(std::string_view word, ActionScope scope,

@@ -36,6 +36,8 @@ class ActionStatements : private BlockPart {
   void numbered_action();
   void action_statement();
   void when_statement();
+  /// SETINT
+  void interrupt_statement();
 
  private:
   struct ActionText {

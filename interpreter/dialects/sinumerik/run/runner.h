@@ -97,6 +97,7 @@ class Runner {
   MaybeFailure raise(const Op& op);
   MaybeFailure surplus_end(const Op& op);
   MaybeFailure tell_fixed(const Op& op);
+  MaybeFailure tell_not_simulated(const Op& op);
   // Those that a part does.
   MaybeFailure call_function(const Op& op) { return functions_.call(op); }
   MaybeFailure procedure(const Op& op) { return procedures_.call(op); }

@@ -39,6 +39,12 @@ MaybeFailure Runner::tell_fixed(const Op& op) {
   return std::nullopt;
 }
 
+MaybeFailure Runner::tell_not_simulated(const Op& op) {
+  channel_.warnings.add(channel_.diagnostics, source::DiagnosticId::NotSimulated, stack_.here(),
+                        operands_.text(op.a));
+  return std::nullopt;
+}
+
 /// The block that the step `op` begins.
 runtime::BlockPlace Runner::block_place(const Op& op) const {
   runtime::BlockPlace place;
