@@ -41,6 +41,8 @@ class Calls {
   MaybeFailure call_part(const std::string& first, const std::string& last);
   /// EXECSTRING: the text sees the variables of the level; behind it the program goes on.
   MaybeFailure execute_text(const std::string& source);
+  /// FILESIZE: the bytes of a file that the run has; nullopt: there is none.
+  Result<std::optional<std::size_t>, Failure> size_of_file(const std::string& path);
   void set_call_path(std::string path) { programs_.set_call_path(std::move(path)); }
 
  private:

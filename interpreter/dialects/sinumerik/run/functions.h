@@ -27,6 +27,9 @@ class FunctionCaller {
                     const Op& op);
   MaybeFailure call(MaybeFailure (*function)(const Globals&, Operands&, const Op&, Arguments),
                     const Op& op);
+  MaybeFailure call(MaybeFailure (*function)(const Globals&, CalledPrograms&, Operands&, const Op&,
+                                             Arguments),
+                    const Op& op);
 
   Operands& operands_;
   Channel& channel_;
@@ -68,11 +71,17 @@ MaybeFailure turn_frame(Operands& at, const Op& op, Arguments list);
 MaybeFailure solid_turn_frame(Operands& at, const Op& op, Arguments list);
 MaybeFailure plane_turn_frame(Channel& channel, Operands& at, const Op& op, Arguments list);
 MaybeFailure inverse_frame(Operands& at, const Op& op, Arguments list);
+MaybeFailure add_frame(Channel& channel, Operands& at, const Op& op, Arguments list);
+// run_names.cc
+MaybeFailure kind_of_name(const Globals& globals, CalledPrograms& programs, Operands& at,
+                          const Op& op, Arguments list);
 // run_tools.cc
 MaybeFailure number_of_edge(Channel& channel, Operands& at, const Op& op, Arguments list);
 MaybeFailure named_tool_in_use(Channel& channel, Operands& at, const Op& op, Arguments list);
 MaybeFailure named_tool(Channel& channel, Operands& at, const Op& op, Arguments list);
 MaybeFailure new_tool(Channel& channel, Operands& at, const Op& op, Arguments list);
+MaybeFailure edges_are_unique(Channel& channel, Operands& at, const Op& op, Arguments list);
+MaybeFailure spindle_of_axis(Channel& channel, Operands& at, const Op& op, Arguments list);
 // run_geometry.cc
 MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list);
 MaybeFailure measured_frame(Channel& channel, Operands& at, const Op& op, Arguments list);

@@ -64,6 +64,7 @@ double delete_file(Channel& channel, Operands& at, Arguments list);
 double read_file(Channel& channel, Operands& at, Arguments list);
 double open_external(Channel& channel, Operands& at, Arguments list);
 double write_external(Channel& channel, Operands& at, Arguments list);
+MaybeFailure tell_file_size(Calls& calls, Operands& at, Arguments list);
 double close_external(Channel& channel, Operands& at, Arguments list);
 
 // run_tools.cc

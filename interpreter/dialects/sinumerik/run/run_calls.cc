@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/run/calls.h"
+#include "interpreter/dialects/sinumerik/run/file_name.h"
 #include "interpreter/dialects/sinumerik/state/call_arguments.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 
@@ -333,6 +334,14 @@ MaybeFailure Calls::execute_text(const std::string& source) {
   channel_.outlet.calls_changed();
   operands_.use_level();
   return std::nullopt;
+}
+
+Result<std::optional<std::size_t>, Failure> Calls::size_of_file(const std::string& path) {
+  const std::string* const content = channel_.files.find(file_meant(channel_, path));
+  if (content == nullptr && programs_.find(path) != nullptr) {
+    return failure(AlarmId::NotImplemented, "FILESIZE of a program: " + path);
+  }
+  return content != nullptr ? std::optional(content->size()) : std::nullopt;
 }
 
 MaybeFailure Calls::modal_call() {

@@ -174,6 +174,24 @@ double read_file(Channel& channel, Operands& at, Arguments list) {
   return file_error::kNone;
 }
 
+/// FILESIZE(error, file, size)
+MaybeFailure tell_file_size(Calls& calls, Operands& at, Arguments list) {
+  const std::string path = at.text(list[1].value);
+  if (file_name(path).empty()) {
+    return at.assign(list[0], file_error::kBadPath);
+  }
+  const auto size = calls.size_of_file(path);
+  if (!size) {
+    return size.error();
+  }
+  if (size.value()) {
+    if (MaybeFailure wrong = at.assign(list[2], static_cast<double>(*size.value()))) {
+      return wrong;
+    }
+  }
+  return at.assign(list[0], size.value() ? file_error::kNone : file_error::kNoFile);
+}
+
 /// EXTOPEN(error, file, mode, use, "APP" or "OVR")
 double open_external(Channel& channel, Operands& at, Arguments list) {
   const std::string name = file_name(at.text(list[1].value));

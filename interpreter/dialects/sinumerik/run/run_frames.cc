@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/sinumerik/run/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -69,9 +72,73 @@ MaybeFailure frame_of_components(Channel& channel, Operands& at, const Op& op, A
   return std::nullopt;
 }
 
+/// A frame in force, by the name that ADDFRAME takes.
+struct FrameInForce {
+  std::string name;
+  Frame* frame = nullptr;
+};
+
+/// From the outermost one; basic frames that do not count are not among them.
+std::vector<FrameInForce> frames_in_force(Channel& channel) {
+  FrameSet& now = channel.frames_now;
+  std::vector<FrameInForce> all = {
+      {"$P_PARTFRAME", &now.part}, {"$P_SETFRAME", &now.set}, {"$P_EXTFRAME", &now.external}};
+  const auto add = [&](std::string_view name, auto& frames, unsigned mask, double count) {
+    for (std::size_t i = 0; i < frames.size() && static_cast<double>(i) < count; ++i) {
+      if ((mask >> i & 1U) != 0) {
+        all.push_back({fmt::format("{}[{}]", name, i), &frames[i]});
+      }
+    }
+  };
+  add("$P_NCBFRAME", now.global, now.masks.global, channel.global_base_frames());
+  add("$P_CHBFRAME", now.channel, now.masks.channel, channel.base_frames());
+  all.push_back({"$P_IFRAME", &channel.settable_now});
+  all.push_back({"$P_TOOLFRAME", &now.tool});
+  all.push_back({"$P_WPFRAME", &now.workpiece});
+  all.push_back({"$P_TRAFRAME", &now.transformation});
+  all.push_back({"$P_PFRAME", &channel.program_frame});
+  all.push_back({"$P_CYCFRAME", &now.cycle});
+  return all;
+}
+
 }  // namespace
 
 namespace function {
+
+/// ADDFRAME(frame, name of the target).  Source: basic functions 09/2011, K2 10.5, additive frame
+/// in the frame chain: the new complete frame is the old one with the additional one behind it.
+MaybeFailure add_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  constexpr double kWrongTarget = 1.0;
+  constexpr double kNotThere = 2.0;
+  const std::string name = upper(at.text(list[1].value));
+  const std::vector<FrameInForce> all = frames_in_force(channel);
+  const auto target = std::ranges::find(all, name, &FrameInForce::name);
+  if (target == all.end()) {
+    const auto row = find_system_variable(name.substr(0, name.find('[')));
+    const bool is_frame = row && row->row->type == Type::Frame && row->row->access == Access::Write;
+    const bool is_stored = is_frame && !name.substr(0, name.find('[')).ends_with("FRAME");
+    if (is_stored) {
+      return failure(AlarmId::NotImplemented, "ADDFRAME into a stored frame, " + name);
+    }
+    at.number(op.result) = is_frame ? kNotThere : kWrongTarget;
+    return std::nullopt;
+  }
+  Frame inner;
+  for (auto behind = std::next(target); behind != all.end(); ++behind) {
+    chain(inner, *behind->frame);
+  }
+  Frame result = *target->frame;
+  chain(result, inner);
+  chain(result, at.frame(list[0].value));
+  chain(result, inner.inverse());
+  if (!result.is_within_limits()) {
+    return failure(AlarmId::ValueOutOfLimits, "ADDFRAME");
+  }
+  *target->frame = result;
+  channel.frame_written();
+  at.number(op.result) = 0.0;
+  return std::nullopt;
+}
 
 MaybeFailure shift_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
   return frame_of_components(channel, at, op, list, Component::Coarse);

@@ -76,6 +76,12 @@ MaybeFailure FunctionCaller::call(MaybeFailure (*function)(const Globals&, Opera
   return function(globals_, operands_, op, operands_.arguments_of(op));
 }
 
+MaybeFailure FunctionCaller::call(MaybeFailure (*function)(const Globals&, CalledPrograms&,
+                                                           Operands&, const Op&, Arguments),
+                                  const Op& op) {
+  return function(globals_, programs_, operands_, op, operands_.arguments_of(op));
+}
+
 namespace function {
 
 std::string name_of(const Op& op) {

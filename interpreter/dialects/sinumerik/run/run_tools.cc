@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -89,6 +91,41 @@ MaybeFailure number_of_edge(Channel& channel, Operands& at, const Op& op, Argume
   const int edge = numbered(rounded(at.number(list[1].value)));
   at.number(op.result) = channel.find_edge(tool, edge) != nullptr ? edge : 0.0;
   return std::nullopt;
+}
+
+/// CHKDNO(t1, t2, d): of two tools or of all, of one D number or of all.
+MaybeFailure edges_are_unique(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  std::array<double, 3> given = {};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    given.at(i) = rounded(at.number(list[i].value));
+    if (i < 2 && channel.find_tool(numbered(given.at(i))) == nullptr) {
+      return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given.at(i)));
+    }
+  }
+  std::map<int, int> tools_of_edge;
+  for (const auto& [number, tool] : channel.tools) {
+    const bool is_asked = list.size() < 2 ? list.empty() || number == given[0]
+                                          : number == given[0] || number == given[1];
+    for (const auto& [edge, data] : tool.edges) {
+      tools_of_edge[edge] += is_asked && (list.size() < 3 || edge == given[2]) ? 1 : 0;
+    }
+  }
+  at.number(op.result) =
+      std::ranges::all_of(tools_of_edge, [](const auto& row) { return row.second <= 1; }) ? 1.0
+                                                                                          : 0.0;
+  return std::nullopt;
+}
+
+/// AXTOSPI(axis)
+MaybeFailure spindle_of_axis(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const auto axis = static_cast<int>(at.number(list[0].value));
+  for (int spindle = 1; spindle <= kMostSpindles; ++spindle) {
+    if (channel.axis_of_spindle(spindle) == axis) {
+      at.number(op.result) = spindle;
+      return std::nullopt;
+    }
+  }
+  return failure(AlarmId::BadAxisIndex, "AXTOSPI: no axis that a spindle is, MD35000");
 }
 
 /// GETACTT(variable, name)

@@ -86,7 +86,9 @@ class Channel : public ChannelState {
   /// G500 to G599, programmed or restored: the stored frames come into force.
   void take_stored_frames() {
     settable_now = settable[static_cast<std::size_t>(settable_number())];
+    const FrameSet::BaseMasks masks = frames_now.masks;
     frames_now = stored_frames;
+    frames_now.masks = masks;  // which of them count G500 to G599 do not say
     frame_written();
   }
   /// A basic or system frame is another one now.

@@ -1,5 +1,7 @@
 #include "interpreter/dialects/sinumerik/state/frame_set.h"
 
+#include <utility>
+
 namespace g31::sinumerik {
 
 void chain(Frame& all, const Frame& next) {
@@ -10,9 +12,13 @@ void chain(Frame& all, const Frame& next) {
 
 Frame FrameSet::bases() const {
   Frame all;
-  for (const auto* const each : {&global, &channel}) {
-    for (const Frame& frame : *each) {
-      chain(all, frame);
+  const std::pair<const std::array<Frame, kBases>*, unsigned> kinds[] = {{&global, masks.global},
+                                                                         {&channel, masks.channel}};
+  for (const auto& [frames, mask] : kinds) {
+    for (std::size_t i = 0; i < kBases; ++i) {
+      if ((mask >> i & 1U) != 0) {
+        chain(all, (*frames)[i]);
+      }
     }
   }
   return all;

@@ -10,6 +10,13 @@ namespace g31::sinumerik {
 /// Basic frames and system frames, as the control keeps them or as they are in force.
 struct FrameSet {
   static constexpr std::size_t kBases = 16;
+  /// $P_NCBFRMASK and $P_CHBFRMASK: bit n, basic frame n counts.
+  struct BaseMasks {
+    static constexpr unsigned kAll = (1U << kBases) - 1U;
+    unsigned global = kAll;
+    unsigned channel = kAll;
+    bool operator==(const BaseMasks&) const = default;
+  };
   Frame part;                         ///< $P_PARTFRAME
   Frame set;                          ///< $P_SETFRAME
   Frame external;                     ///< $P_EXTFRAME
@@ -19,6 +26,7 @@ struct FrameSet {
   Frame workpiece;                    ///< $P_WPFRAME
   Frame transformation;               ///< $P_TRAFRAME
   Frame cycle;                        ///< $P_CYCFRAME
+  BaseMasks masks;
 
   /// $P_ACTBFRAME
   [[nodiscard]] Frame bases() const;

@@ -19,7 +19,33 @@ FramePlace base_of(Bases& all, const SystemAccess& access, double count) {
   return &all[static_cast<std::size_t>(which)];
 }
 
+MaybeFailure set_mask(Channel& channel, unsigned& mask, double value) {
+  constexpr auto kAll = static_cast<double>(FrameSet::BaseMasks::kAll);
+  if (!(value >= 0.0 && value <= kAll)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("{:g}: 0 to {:g}", value, kAll));
+  }
+  mask = static_cast<unsigned>(value);
+  channel.frame_written();
+  return std::nullopt;
+}
+
 }  // namespace
+
+Number base_mask(Channel& channel, const SystemAccess& /*access*/) {
+  return static_cast<double>(channel.frames_now.masks.channel);
+}
+
+Number global_base_mask(Channel& channel, const SystemAccess& /*access*/) {
+  return static_cast<double>(channel.frames_now.masks.global);
+}
+
+MaybeFailure set_base_mask(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set_mask(channel, channel.frames_now.masks.channel, value);
+}
+
+MaybeFailure set_global_base_mask(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set_mask(channel, channel.frames_now.masks.global, value);
+}
 
 FramePlace settable_frames(Channel& channel, const SystemAccess& access) {
   const int which = access.indices.front();

@@ -70,6 +70,16 @@ Number nothing_of_axis(Channel& /*channel*/, const SystemAccess& access) {
   return access.indices[0] < 0 ? Number(failure(AlarmId::BadAxisIndex)) : 0.0;
 }
 
+/// Of a program or channel that runs.
+Number active(Channel& /*channel*/, const SystemAccess& /*access*/) {
+  return 2.0;
+}
+
+Number status_of_axis(Channel& /*channel*/, const SystemAccess& access) {
+  constexpr double kStopsFine = 4.0;
+  return access.indices[0] < 0 ? Number(failure(AlarmId::BadAxisIndex)) : kStopsFine;
+}
+
 Number motion_end(Channel& channel, const SystemAccess& access) {
   const int axis = access.indices[0];
   return axis < 0 ? Number(failure(AlarmId::BadAxisIndex))

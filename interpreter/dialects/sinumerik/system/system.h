@@ -32,6 +32,8 @@ using FramePlace = Result<Frame*, Failure>;
 
 // numbers.cc: what the channel simply knows
 Number zero(Channel& channel, const SystemAccess& access);
+Number active(Channel& channel, const SystemAccess& access);
+Number status_of_axis(Channel& channel, const SystemAccess& access);
 Number pi(Channel& channel, const SystemAccess& access);
 Number version(Channel& channel, const SystemAccess& access);
 Number motion_end(Channel& channel, const SystemAccess& access);
@@ -178,6 +180,10 @@ template <Frame FrameSet::*member>
 FramePlace frame_now(Channel& channel, const SystemAccess& /*access*/) {
   return &(channel.frames_now.*member);
 }
+Number base_mask(Channel& channel, const SystemAccess& access);
+Number global_base_mask(Channel& channel, const SystemAccess& access);
+MaybeFailure set_base_mask(Channel& channel, const SystemAccess& access, double value);
+MaybeFailure set_global_base_mask(Channel& channel, const SystemAccess& access, double value);
 WholeFrame active_base(Channel& channel, const SystemAccess& access);
 WholeFrame active_frame(Channel& channel, const SystemAccess& access);
 

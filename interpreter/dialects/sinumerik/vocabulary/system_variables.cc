@@ -41,7 +41,7 @@ constexpr Family kFamilies[] = {
     {SystemId::MagazinePlace, 1, 7},    {SystemId::MagazinePlaceBuilder, 1, 10},
     {SystemId::MagazineBuilder, 1, 10}, {SystemId::MagazineDistance, 1, 2},
     {SystemId::Multitool, 2, 8},        {SystemId::GrindingDatum, 1, 9},
-    {SystemId::CarrierDatum, 1, 65},
+    {SystemId::CarrierDatum, 1, 65},    {SystemId::Fifo, 1, 10},
 };
 
 /// A step keeps the number of a member in 8 bits.
