@@ -45,3 +45,36 @@ M30
 %
 (EXPECT #100 = 5)
 (EXPECT #101 = 5)
+
+(CASE MB-161 MB-280 G31 without an axis is one, needs no feed and measures nothing)
+(SETTING lookahead = 1)
+%
+O1
+G01
+G31
+G0 X1.
+G31
+#100=#5041
+#101=#5061
+M30
+%
+(EXPECT MOVE 1 G0 X1)
+(EXPECT #100 = 1)
+(EXPECT #101 = 0)
+(EXPECT NO WARNING PRB305)
+(EXPECT NO WARNING PRB301)
+
+(CASE MB-161 MB-291 so does G53 without an axis, whatever feed group 01 would need)
+(SETTING lookahead = 1)
+%
+O1
+G01
+G53
+G0 X1.
+G53
+#100=#5041
+M30
+%
+(EXPECT MOVE 1 G0 X1)
+(EXPECT #100 = 1)
+(EXPECT NO WARNING PRB305)

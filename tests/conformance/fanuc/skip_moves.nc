@@ -260,3 +260,16 @@ M30
 (EXPECT #101 = 123)
 (EXPECT #102 = 123)
 (EXPECT ALARM 370 AT 19)
+
+(CASE MB-284 G31 without an axis leaves the result of the skip move before it)
+(SIGNAL X7.)
+%
+O1
+G31 X10. F100.
+G31
+#100=#5061
+M30
+%
+(EXPECT MOVE 1 G31 X7 F100)
+(EXPECT #100 = 7)
+(EXPECT NO WARNING PRB301)

@@ -214,11 +214,12 @@ MaybeFailure execute_motion(Control& control, const NcBlock& block) {
 /// G53: machine coordinates, this block only (MB-291).  Under G91 it is ignored, or its values are
 /// a distance (M700V programming manual, 14.4 (4)).
 MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
+  if (!block.has_axis_word) {
+    return std::nullopt;
+  }
   const bool adds = control.modal.incremental();
   if (adds && !control.profile.machine_moves_add) {
-    if (block.has_axis_word) {
-      control.warn(source::DiagnosticId::MachineMoveIgnored, block.where);
-    }
+    control.warn(source::DiagnosticId::MachineMoveIgnored, block.where);
     return std::nullopt;
   }
   AxisPositions q_M_end = control.port.position();

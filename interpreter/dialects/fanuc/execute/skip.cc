@@ -189,7 +189,8 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
   return event.triggered ? std::optional(event.q_M_latched) : std::nullopt;
 }
 
-/// G31: latched position to #5061.., the axes stay where they stopped (MB-265 to MB-284).
+/// G31: latched position to #5061.., the axes stay where they stopped (MB-265 to MB-284).  Without
+/// an axis it waits until they stand (MB-161) and nothing else: builders' tool changes write it so.
 MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   const auto kind = skip_kind(control, block);
   if (!kind) {
@@ -197,6 +198,9 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   }
   if (kind.value().is_torque_limit) {
     return execute_torque_skip(control, block);
+  }
+  if (!block.has_axis_word && !turns_by_direction(control, block.words)) {
+    return std::nullopt;
   }
   if (!control.coordinates.transform().is_identity()) {
     control.warn_once(source::DiagnosticId::SkipInTurnedPlane, block.where);
