@@ -61,7 +61,8 @@ TEST(LatheProgram, IsRefusedWithOneLine) {
       "[control]\nprofile = \"fanuc-0i\"\n");
   EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::BadUsage));
   EXPECT_NE(run.errors.find("o1.nc:3:1: error: a program for a lathe (G50 S, T of four digits, G96 "
-                            "S, U or W): g31 runs programs for machining centres [PRB003]"),
+                            "S, U or W, G70 to G73 P Q): g31 runs programs for machining centres "
+                            "[PRB003]"),
             std::string::npos)
       << run.errors;
   EXPECT_EQ(run.errors.find("error:", run.errors.find("error:") + 1), std::string::npos)
@@ -71,9 +72,41 @@ TEST(LatheProgram, IsRefusedWithOneLine) {
 TEST(LatheProgram, IsNotWhatAMillMayWrite) {
   for (const char* const program :
        {"O1\nT0101 M6\nG0 X1.\nM30\n", "O1\nG96 S100 M3\nG0 X1.\nM30\n", "O1\nG50\nS500 M3\nM30\n",
-        "O1\nG65 P2 U1. W2.\nG04 U0.1\nT0102\nM30\nO2\nM99\n"}) {
+        "O1\nG65 P2 U1. W2.\nG04 U0.1\nT0102\nM30\nO2\nM99\n",
+        // A tool change by T and M6 clears of U and G96, any M6 of the T word.
+        "O1\nT1001 M6\nG96 S200 M3\nU5.\nM30\n", "O1\nT1001\nM6\nG96 S200 M3\nM30\n",
+        // Words of calls: a code set up so, a modal one, a tool number handed on.
+        "O1\nG96 S200 M3\nG100 U10. V0 W0\nM30\n",
+        "O1\nG96 S200 M3\nG66.1 P2\nU1. W2.\nG67\nM30\nO2\nM99\n",
+        "O1\nG96 S200 M3\nG65 P2 T1001\nM30\nO2\nM99\n",
+        // One weak sign beside what mills have: a safety line, a preset, an arc in ZX.
+        "O1\nT1001\nG17 G40 G49 G80 G98\nM30\n", "O1\nT1001\nG98 G81 X1. Y2. Z-1. R1. F100\nM30\n",
+        "O1\nT1001\nG18 G2 X2. Z0 I1. K0 F100\nM30\n", "O1\nT1001\nG92 X0 Y0 Z0\nM30\n",
+        "O1\nT1001\nG10 L2 P1 X1. Z1.\nM30\n",
+        "O1\nT1001\nG73 X1. Z-1. R1. P100 Q1. F100\nM30\n"}) {
     EXPECT_FALSE(mentions(run_with(program, ""), "PRB003")) << program;
   }
+}
+
+TEST(LatheProgram, ShowsTwoSignsOfItsSeries) {
+  for (const char* const program :
+       {"O1\nT0505\nG98 G40\nG0 X100. Z20.\nM30\n", "O1\nT0101\nG99\nG0 X1.\nM30\n",
+        "O1\nT01\nG99\nG0 X22. Z5.\nG92 X19. Z-20. F1.5\nM30\n",
+        "O1\nT0101\nG2 X24. Z-12. I2. K0 F0.2\nM30\n", "O1\nT0101\nG71 P10 Q20 F0.2\nM30\n",
+        "O1\nT0101\nG10 P1 X1. Z2. R0.4 Q3\nM30\n",
+        "O1\nG66.1 P2\nU1.\nG67\nT0101\nU1.\nM30\nO2\nM99\n"}) {
+    EXPECT_TRUE(mentions(run_with(program, ""), "PRB003")) << program;
+  }
+}
+
+TEST(LatheProgram, IsAnyWhereParametersSayThatXIsADiameter) {
+  const char* const program = "O1\nG0 X1.\nM30\n";
+  for (const char* const entry : {"\"1006.3\" = 1", "\"1006.X\" = 1000"}) {
+    EXPECT_TRUE(mentions(run_with(program, fmt::format("[parameters]\n{}\n", entry)),
+                         "parameter 1006.3, DIA, of X"))
+        << entry;
+  }
+  EXPECT_FALSE(mentions(run_with(program, "[parameters]\n\"1006.Z\" = 1000\n"), "PRB003"));
 }
 
 TEST(SamePrograms, InOneFileAreTold) {

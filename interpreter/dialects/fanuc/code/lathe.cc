@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,85 +12,162 @@ namespace g31::fanuc {
 namespace {
 
 using syntax::ValueForm;
-using Words = std::span<const syntax::Word>;
+using syntax::Word;
+using Words = std::span<const Word>;
 
-/// Kinds of signs; SpeedLimit is enough by itself.
-enum Sign : std::size_t { SpeedLimit, ToolWithOffset, SurfaceSpeed, Increments, kSigns };
-
-bool is_plain(const syntax::Word& word) {
+bool is_plain(const Word& word) {
   return word.form == ValueForm::Integer || word.form == ValueForm::Decimal;
 }
 
-const syntax::Word* find(Words words, char letter) {
-  for (const syntax::Word& word : words) {
-    if (word.letter == letter) {
-      return &word;
-    }
-  }
-  return nullptr;
+const Word* find(Words words, char letter) {
+  const auto found = std::ranges::find(words, letter, &Word::letter);
+  return found != words.end() ? &*found : nullptr;
 }
 
-const syntax::Word* find_g(Words words, double code) {
-  for (const syntax::Word& word : words) {
-    if (word.letter == 'G' && is_plain(word) && word.number == code) {
-      return &word;
-    }
-  }
-  return nullptr;
+bool has(Words words, char letter) {
+  return find(words, letter) != nullptr;
+}
+
+const Word* find_code(Words words, char letter, std::initializer_list<double> codes) {
+  const auto found = std::ranges::find_if(words, [&](const Word& word) {
+    return word.letter == letter && is_plain(word) &&
+           std::ranges::find(codes, word.number) != codes.end();
+  });
+  return found != words.end() ? &*found : nullptr;
 }
 
 /// T0101: station and offset, two digits each.
-bool is_tool_with_offset(const syntax::Word& word) {
+bool is_tool_with_offset(const Word& word) {
   constexpr int kStation = 100;
   return word.letter == 'T' && word.form == ValueForm::Integer && word.digits == 4 &&
          word.number >= kStation;
 }
 
-/// Whether a block may show a sign at all: hardly any of a long program does.
-bool has_telling_letter(Words words) {
-  return std::ranges::any_of(words, [](const syntax::Word& word) {
-    return word.letter == 'S' || word.letter == 'T' || word.letter == 'U' || word.letter == 'W';
+/// Whether a block calls a macro, or may where the control is set up so: its words are arguments.
+bool may_call(Words words) {
+  constexpr double kFirstOfBuilders = 100.0;
+  return std::ranges::any_of(words, [](const Word& word) {
+    return word.letter == 'G' &&
+           (!is_plain(word) || word.number >= kFirstOfBuilders || word.number == 65.0 ||
+            word.number == 66.0 || word.number == 66.1);
   });
 }
 
-/// G65 and the like take U and W as arguments, G04 U as a time, an M code may be set up to.
+/// G04 U is a time, and an M code may be set up to call a macro.
 bool takes_any_letter(Words words) {
-  return find_g(words, 4.0) != nullptr || find_g(words, 65.0) != nullptr ||
-         find_g(words, 66.0) != nullptr || find(words, 'M') != nullptr;
+  return may_call(words) || find_code(words, 'G', {4.0}) != nullptr || has(words, 'M');
 }
 
-/// The word of a block that is a sign of this kind.
-const syntax::Word* sign_in(Words words, Sign sign) {
-  const syntax::Word* const speed = find(words, 'S');
-  switch (sign) {
-    case SpeedLimit:
-      return speed != nullptr ? find_g(words, 50.0) : nullptr;
-    case SurfaceSpeed:
-      return speed != nullptr ? find_g(words, 96.0) : nullptr;
-    case ToolWithOffset:
-      for (const syntax::Word& word : words) {
-        if (is_tool_with_offset(word)) {
-          return &word;
-        }
-      }
-      return nullptr;
-    case Increments:
-      if (takes_any_letter(words)) {
-        return nullptr;
-      }
-      return find(words, 'U') != nullptr ? find(words, 'U') : find(words, 'W');
-    case kSigns:
-      break;
+const Word* speed_limit(Words words) {
+  return has(words, 'S') ? find_code(words, 'G', {50.0}) : nullptr;
+}
+
+const Word* tool_with_offset(Words words) {
+  const auto found = std::ranges::find_if(words, is_tool_with_offset);
+  return found != words.end() && !may_call(words) ? &*found : nullptr;
+}
+
+const Word* surface_speed(Words words) {
+  return has(words, 'S') ? find_code(words, 'G', {96.0}) : nullptr;
+}
+
+const Word* increments(Words words) {
+  const Word* const u = find(words, 'U');
+  const Word* const word = u != nullptr ? u : find(words, 'W');
+  return word != nullptr && !takes_any_letter(words) ? word : nullptr;
+}
+
+/// G92 of system A cuts a thread; a preset has no feed.
+const Word* thread(Words words) {
+  const bool is_of_a_lathe = has(words, 'F') && !has(words, 'Y') && has(words, 'Z');
+  return is_of_a_lathe ? find_code(words, 'G', {92.0}) : nullptr;
+}
+
+/// G70 to G73 with the first and the last block of a contour.
+const Word* contour_cycle(Words words) {
+  return has(words, 'P') && has(words, 'Q') && !has(words, 'R')
+             ? find_code(words, 'G', {70.0, 71.0, 72.0, 73.0})
+             : nullptr;
+}
+
+/// G10 P X Z: an offset for each axis; a mill has one number for a tool, its P says of what with L.
+const Word* offset_of_axes(Words words) {
+  const bool has_axis = has(words, 'X') || has(words, 'Z');
+  return has(words, 'P') && has_axis && !has(words, 'L') ? find_code(words, 'G', {10.0}) : nullptr;
+}
+
+/// An arc with the centre that it has in ZX.
+const Word* turned_arc(Words words) {
+  const bool is_in_zx = has(words, 'Z') && has(words, 'K') && !has(words, 'Y') && !has(words, 'J');
+  return is_in_zx ? find_code(words, 'G', {2.0, 3.0}) : nullptr;
+}
+
+/// Feed per minute and per revolution of system A; a mill has them beside its canned cycles.
+const Word* kind_of_feed(Words words) {
+  return find_code(words, 'G', {98.0, 99.0});
+}
+
+enum class Weight { Alone, Strong, Weak };
+
+struct Sign {
+  std::string_view name;
+  Weight weight;
+  const Word* (*find)(Words words);
+};
+
+constexpr Sign kSigns[] = {
+    {"G50 S", Weight::Alone, speed_limit},
+    {"T of four digits", Weight::Strong, tool_with_offset},
+    {"G96 S", Weight::Strong, surface_speed},
+    {"U or W", Weight::Strong, increments},
+    {"G92 X Z F", Weight::Strong, thread},
+    {"G70 to G73 P Q", Weight::Strong, contour_cycle},
+    {"G10 P X Z without L", Weight::Strong, offset_of_axes},
+    {"an arc in ZX without G18", Weight::Weak, turned_arc},
+    {"G98 or G99 as kind of feed", Weight::Weak, kind_of_feed},
+};
+
+/// What of a program speaks for a mill.
+struct MillSigns {
+  bool changes_tool_by_t = false;  ///< T10 M6 in one block: no turret is told so
+  bool changes_tool = false;       ///< M6
+  bool is_milled = false;          ///< Y, a length offset or a plane that no turning is in
+  bool selects_zx = false;         ///< G18
+
+  void look_at(Words words) {
+    const bool has_change = find_code(words, 'M', {6.0}) != nullptr;
+    changes_tool |= has_change;
+    changes_tool_by_t |= has_change && has(words, 'T');
+    selects_zx |= find_code(words, 'G', {18.0}) != nullptr;
+    is_milled |=
+        has(words, 'Y') || find_code(words, 'G', {17.0, 19.0, 43.0, 44.0, 49.0}) != nullptr;
   }
-  return nullptr;
+
+  [[nodiscard]] bool acquit(const Sign& sign) const {
+    return (sign.weight == Weight::Strong && changes_tool_by_t) ||
+           (sign.weight == Weight::Weak && (is_milled || changes_tool)) ||
+           (sign.find == tool_with_offset && changes_tool) ||
+           (sign.find == turned_arc && selects_zx);
+  }
+};
+
+/// Whether a block may show a sign at all: lines of points hardly do.
+bool has_telling_letter(Words words) {
+  return std::ranges::any_of(words, [](const Word& word) {
+    return word.letter == 'G' || word.letter == 'T' || word.letter == 'U' || word.letter == 'W' ||
+           word.letter == 'M' || word.letter == 'Y';
+  });
 }
 
-}  // namespace
+/// The first block of each kind of sign in a program.
+struct Found {
+  std::array<const Word*, std::size(kSigns)> words{};
+  MillSigns mill;
+};
 
-std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
-  constexpr std::array<const char*, kSigns> kNames = {"G50 S", "T of four digits", "G96 S",
-                                                      "U or W"};
-  std::array<const syntax::Word*, kSigns> found{};
+Found look_through(const CompiledProgram& program) {
+  Found found;
+  bool calls_each_block = false;  // G66.1 until G67
   for (const Step& step : program.steps) {
     if (step.kind != syntax::BlockKind::Nc) {
       continue;
@@ -98,22 +177,35 @@ std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
     if (!has_telling_letter(words)) {
       continue;
     }
-    for (std::size_t sign = 0; sign < kSigns; ++sign) {
-      if (found[sign] == nullptr) {
-        found[sign] = sign_in(words, static_cast<Sign>(sign));
+    calls_each_block = (calls_each_block || find_code(words, 'G', {66.1}) != nullptr) &&
+                       find_code(words, 'G', {67.0}) == nullptr;
+    found.mill.look_at(words);
+    for (std::size_t sign = 0; sign < std::size(kSigns) && !calls_each_block; ++sign) {
+      if (found.words[sign] == nullptr) {
+        found.words[sign] = kSigns[sign].find(words);
       }
     }
   }
+  return found;
+}
+
+}  // namespace
+
+std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
+  const Found found = look_through(program);
   std::size_t kinds = 0;
+  bool is_lathe = false;
   LatheSigns signs;
-  for (std::size_t sign = 0; sign < kSigns; ++sign) {
-    if (found[sign] != nullptr) {
-      const bool is_first = ++kinds == 1 || found[sign]->span.begin < signs.where.begin;
-      signs.where = is_first ? found[sign]->span : signs.where;
-      signs.what += fmt::format("{}{}", kinds == 1 ? "" : ", ", kNames[sign]);
+  for (std::size_t i = 0; i < std::size(kSigns); ++i) {
+    const Word* const word = found.words[i];
+    if (word == nullptr || found.mill.acquit(kSigns[i])) {
+      continue;
     }
+    const bool is_first = ++kinds == 1 || word->span.begin < signs.where.begin;
+    signs.where = is_first ? word->span : signs.where;
+    signs.what += fmt::format("{}{}", kinds == 1 ? "" : ", ", kSigns[i].name);
+    is_lathe = is_lathe || kinds >= 2 || kSigns[i].weight == Weight::Alone;
   }
-  const bool is_lathe = found[SpeedLimit] != nullptr || kinds >= 2;
   return is_lathe ? std::optional(std::move(signs)) : std::nullopt;
 }
 

@@ -1,3 +1,4 @@
+#include <optional>
 #include <utility>
 
 #include "interpreter/dialects/fanuc/code/lathe.h"
@@ -12,6 +13,14 @@ namespace {
 template <typename Work>
 MaybeFailure guarded(const Work& work) {
   return runtime::guarded(work, budget_failure, defect_failure);
+}
+
+/// The signs of a main program, or what the control's own data say of the machine.
+std::optional<LatheSigns> signs_of_a_lathe(const Control& control, const CompiledProgram& main) {
+  constexpr int kX = 0;
+  const bool has_diameters = control.parameters.is_on_for_axis(ParameterId::DiameterAxis, kX);
+  return has_diameters ? std::optional(LatheSigns{{}, "parameter 1006.3, DIA, of X"})
+                       : lathe_signs(main);
 }
 
 }  // namespace
@@ -37,7 +46,7 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
 /// Refuses a main program for a lathe, and one with a block that is reached and cannot be
 /// understood.
 bool Runner::refuse_broken(const CompiledProgram& main) {
-  if (const auto signs = lathe_signs(main)) {
+  if (const auto signs = signs_of_a_lathe(control_, main)) {
     outcome_.status = runtime::Status::SyntaxError;
     outcome_.diagnostics.push_back(make_diagnostic(source::DiagnosticId::LatheProgram,
                                                    location_in(main, signs->where), signs->what));
