@@ -47,7 +47,7 @@ void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Prof
   const bool is_common = is_known && code->set == fanuc::CodeSet::Family;
   // The sheet makes whole numbers call macros, also in the place of a maker's own code.
   // One that g31 has not may be an option of the real control.
-  codes.is_open |= !is_common;
+  codes.is_open |= !is_common || code->action == GAction::MacroCall;
   if (!is_known) {
     return;
   }
