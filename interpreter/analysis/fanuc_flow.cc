@@ -37,6 +37,7 @@ class FanucTranslation {
                    const WordReading& reading)
       : program_(program),
         profile_(profile),
+        reading_(reading),
         words_(program, profile, reading),
         builder_(to_text(program.key), *program.file) {}
 
@@ -65,6 +66,7 @@ class FanucTranslation {
 
   const fanuc::CompiledProgram& program_;
   const fanuc::Profile& profile_;
+  const WordReading& reading_;
   FanucWords words_;
   FlowBuilder builder_;
   bool stops_ = false;  ///< an alarm ends every run of the present block
@@ -243,7 +245,16 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
 /// family.
 void FanucTranslation::add_unsimulated(const Word& code) {
   const fanuc::GCode* const row = fanuc::find_g_code(code.number, profile_.own_g_codes);
+  // Sheet and parameters make numbers call macros, G66.1 makes arguments of all words.
+  if (reading_.every_block_calls ||
+      reading_.calling_codes.contains(fanuc::nearest_integer(code.number))) {
+    return;
+  }
   if (row == nullptr) {
+    builder_.fault({Fault::Kind::NotSimulated,
+                    fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers), code.span,
+                    fmt::format("G{}, which this control has not: a run ends here", code.number),
+                    ""});
     return;
   }
   const bool is_missing = !fanuc::has_g_code(profile_, *row);

@@ -504,25 +504,6 @@ TEST(Check, WhatOnlySeries30iHasIsWrongOnSeries16i) {
   EXPECT_EQ(checked(options).exit_code, 0) << "a run knows the names";
 }
 
-TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {
-  TemporaryFolder folder;
-  cli::CheckOptions options;
-  options.files = {folder.write("case.nc", "O1\nG39 X1.\nG7.1 C50.\nG12 X1.\nG96 S100\nM30\n")};
-  options.control = "fanuc-16i";
-  EXPECT_EQ(
-      places(checked(options).text, folder),
-      (std::vector<std::string>{
-          "case.nc:2:1: warning: alarm 10, G39, cutter compensation, arc around a corner: not "
-          "simulated: a run ends here [NC007]",
-          "case.nc:3:1: warning: alarm 10, G7.1, cylindrical interpolation: not simulated: a "
-          "run ends here [NC007]"}));
-  options.control = "haas";
-  EXPECT_EQ(
-      places(checked(options).text, folder).at(2),
-      "case.nc:4:1: warning: G12, circular pocket clockwise: not simulated: a run passes over "
-      "it [NC007]");
-}
-
 /// SINUMERIK passes over control characters, and a tape or a line leaves some.
 TEST(Check, AFewControlCharactersMakeNoPictureOfAText) {
   TemporaryFolder folder;

@@ -1,0 +1,78 @@
+// What `g31 check` says of G codes that a run ends at or passes over.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/captured.h"
+#include "tests/support/run_program.h"
+#include "tools/cli/check_command.h"
+
+namespace g31::check_codes_test {
+namespace {
+
+using testing::TemporaryFolder;
+
+testing::CommandOutput checked(const cli::CheckOptions& options) {
+  return testing::captured([&] { return cli::check_command(options); });
+}
+
+/// The lines that say a place, without the folder.
+std::vector<std::string> places(const std::string& text, const TemporaryFolder& folder) {
+  std::vector<std::string> found;
+  const std::string prefix = folder.path("");
+  for (std::size_t at = text.find(prefix); at != text.npos; at = text.find(prefix, at + 1)) {
+    const std::size_t begin = at + prefix.size();
+    found.push_back(text.substr(begin, text.find('\n', begin) - begin));
+  }
+  return found;
+}
+
+TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("case.nc", "O1\nG39 X1.\nG7.1 C50.\nG12 X1.\nG96 S100\nM30\n")};
+  options.control = "fanuc-16i";
+  EXPECT_EQ(places(checked(options).out, folder),
+            (std::vector<std::string>{
+                "case.nc:2:1: warning: alarm 10, G39, cutter compensation, arc around a corner: "
+                "not simulated: a run ends here [NC007]",
+                "case.nc:3:1: warning: alarm 10, G7.1, cylindrical interpolation: not simulated: "
+                "a run ends here [NC007]",
+                "case.nc:4:1: warning: alarm 10, G12, which this control has not: a run ends here "
+                "[NC007]"}));
+  options.control = "haas";
+  EXPECT_EQ(
+      places(checked(options).out, folder).at(2),
+      "case.nc:4:1: warning: G12, circular pocket clockwise: not simulated: a run passes over "
+      "it [NC007]");
+}
+
+TEST(Check, AGCodeThatTheControlHasNotIsAWarningWhereNothingIsCalledByIt) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {
+      folder.write("case.nc",
+                   "O1\nG77 X5. Z-5.\nG999\nG#1\nG66 P2\nG67\nG84.3 X1. R1. Z-1. F1.\nG80\n"
+                   "G113\nM30\nO2\nM99\n")};
+  options.control = "fanuc-30i";
+  const std::string g999 =
+      "case.nc:3:1: warning: alarm 10, G999, which this control has not: a run ends here [NC007]";
+  EXPECT_EQ(places(checked(options).out, folder),
+            (std::vector<std::string>{"case.nc:2:1: warning: alarm 10, G77, which this control has "
+                                      "not: a run ends here [NC007]",
+                                      g999}));
+  for (const char* const sheet : {"[macro_calls]\nG77 = 2\n", "[parameters]\n6050 = 77\n"}) {
+    options.setups = {folder.write("sheet.toml", sheet)};
+    EXPECT_EQ(places(checked(options).out, folder), std::vector<std::string>{g999}) << sheet;
+  }
+}
+
+TEST(Check, WordsOfACallByEveryBlockAreNoGCodes) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("case.nc", "O1\nG66.1 P2\nG77 X1.\nG67\nM30\nO2\nM99\n")};
+  options.control = "fanuc-30i";
+  EXPECT_EQ(checked(options).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace g31::check_codes_test
