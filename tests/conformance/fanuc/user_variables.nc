@@ -299,3 +299,15 @@ M30
 (EXPECT #109 = 500)
 (EXPECT #110 = 12)
 (EXPECT #111 = 0)
+
+(CASE MB-104 an empty name takes the name, as a control punches variables without one)
+(CONTROL fanuc-30i)
+%
+O1
+SETVN500[TOOL_NO]
+SETVN501[]
+SETVN500[]
+[#TOOL_NO]=4.
+M30
+%
+(EXPECT ALARM 1098 AT 6)

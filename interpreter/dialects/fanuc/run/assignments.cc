@@ -119,7 +119,11 @@ MaybeFailure Assignments::set_names(const Step& step) {
                    : fmt::format("SETVN names #{} to #{}, not #{}", rule.first, rule.last, number);
       return failure;
     }
-    control_.variables.names.give(std::move(name), number++);
+    if (name.empty()) {
+      control_.variables.names.take_name(number);
+    } else {
+      control_.variables.names.give(std::move(name), number++);
+    }
   }
   return std::nullopt;
 }

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -55,6 +58,50 @@ void Parser::keyword(Block& block) {
   }
 }
 
+/// `G10L85P500(4008000000000000)`: #500 becomes the double of these digits, IEEE 754.
+void Parser::punched_variable(Block& block) {
+  constexpr std::size_t kDigits = 16;
+  constexpr int kHexadecimal = 16;
+  block.kind = BlockKind::Assign;
+  scanner_.rewind(scanner_.position() + static_cast<std::uint32_t>(kPunchedVariable.size()));
+  scanner_.forget_comment();
+  syntax::Expr number;
+  number.span.begin = scanner_.position();
+  number.number = integer("P of G10 L85 is the number of a common variable");
+  if (failed()) {
+    return;
+  }
+  number.span.end = scanner_.position();
+  expect_end(block);
+  const ShortSpan comment = scanner_.last_comment();
+  const std::string_view digits =
+      scanner_.text().substr(comment.begin, comment.end - comment.begin);
+  std::uint64_t bits = 0;
+  const auto read =
+      std::from_chars(digits.data(), digits.data() + digits.size(), bits, kHexadecimal);
+  if (failed() || digits.size() != kDigits || read.ptr != digits.data() + digits.size()) {
+    fail(AlarmId::DataInputFormat, "behind G10 L85 P stand 16 hexadecimal digits in ( )");
+    return;
+  }
+  syntax::Expr target;
+  target.kind = syntax::ExprKind::Variable;
+  target.a = expressions_.add(number);
+  target.span = number.span;
+  block.target = expressions_.add(target);
+  syntax::Expr value;
+  value.number = std::bit_cast<double>(bits);
+  value.span = comment;
+  if (!std::isfinite(value.number)) {  // a vacant one: #0
+    value.number = 0.0;
+    syntax::Expr vacant;
+    vacant.kind = syntax::ExprKind::Variable;
+    vacant.a = expressions_.add(value);
+    vacant.span = comment;
+    value = vacant;
+  }
+  block.value = expressions_.add(value);
+}
+
 /// SETVN n[NAME,NAME]: the names stay text; the run gives them (MB-104).
 void Parser::set_names(Block& block) {
   block.kind = BlockKind::SetNames;
@@ -67,7 +114,10 @@ void Parser::set_names(Block& block) {
     return;
   }
   scanner_.peek();
-  block.text.begin = scanner_.position();
+  block.text = {scanner_.position(), scanner_.position()};
+  if (scanner_.accept(']')) {
+    return;  // no name: as a control punches those that have none
+  }
   do {
     const ShortSpan name = scanner_.name();
     const std::string_view text = scanner_.text().substr(name.begin, name.end - name.begin);

@@ -41,8 +41,15 @@ void Parser::close_program() {
   }
 }
 
+/// `&F=/USER/PATH1/`, as a control writes before the programs of a folder when it punches all.
+bool Parser::at_folder() const {
+  constexpr std::string_view kFolder = "&F=";
+  return scanner_.text().substr(scanner_.position()).starts_with(kFolder);
+}
+
 void Parser::block() {
-  if (scanner_.peek() == '\n' && tree_.programs.empty()) {
+  const char first = scanner_.peek();
+  if ((first == '\n' && tree_.programs.empty()) || (first == '&' && at_folder())) {
     return;
   }
   const std::uint32_t begin = scanner_.position();
@@ -196,6 +203,10 @@ void Parser::body(Block& block) {
   }
   if (next == '[') {
     condition_alone(block);
+    return;
+  }
+  if (next == 'G' && at_punched_variable()) {
+    punched_variable(block);
     return;
   }
   if (next < 'A' || next > 'Z') {

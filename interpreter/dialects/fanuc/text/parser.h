@@ -33,6 +33,9 @@ class Parser {
   }
 
  private:
+  /// How a control begins a variable when it punches them; people write blanks.
+  static constexpr std::string_view kPunchedVariable = "G10L85P";
+
   /// Room for what a text of this size holds as a rule.
   void reserve() {
     tree_.blocks.reserve(scanner_.text().size() / 24);
@@ -50,6 +53,11 @@ class Parser {
   void assignment(syntax::Block& block);
   bool is_bare_message(const syntax::Block& block);
   syntax::Index bare_message(syntax::Block& block);
+  [[nodiscard]] bool at_folder() const;
+  [[nodiscard]] bool at_punched_variable() const {
+    return scanner_.text().substr(scanner_.position()).starts_with(kPunchedVariable);
+  }
+  void punched_variable(syntax::Block& block);
   void words(syntax::Block& block);
   bool word();
   void word_value(syntax::Word& word);

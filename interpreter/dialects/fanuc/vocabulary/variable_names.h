@@ -42,6 +42,11 @@ class VariableNames {
  public:
   void give(std::string name, std::int32_t number) { given_[std::move(name)] = number; }
 
+  /// The variable has no name then.
+  void take_name(std::int32_t number) {
+    std::erase_if(given_, [number](const auto& row) { return row.second == number; });
+  }
+
   /// The variable that [#name] or [#name[index]] means.
   /// @param name   upper case
   /// @param index  vacant: none is written
