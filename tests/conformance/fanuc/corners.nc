@@ -325,3 +325,19 @@ G1 X20. F100. ,R5.
 M30
 %
 (EXPECT ALARM 382 AT 5)
+
+(CASE MB-297 with parameter 5004.2, ODI, what D names is a diameter)
+(CONTROL fanuc-16i fanuc-30i)
+(PARAMETER 5004.2 = 1)
+(SHEET [tools.5])
+(SHEET radius = 16.0)
+%
+O1
+G90 G17
+G41 G1 X20. Y20. D5 F500
+Y60.
+Y80.
+G40 G0 X0
+M30
+%
+(EXPECT MOVE 2 X12 Y60)

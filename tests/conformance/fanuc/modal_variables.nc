@@ -228,3 +228,37 @@ M99
 (EXPECT #101 = 7)
 (EXPECT #102 = 7)
 (EXPECT #103 = 8)
+
+(CASE parameters choose the codes in force at power-on: 3402.0, .1, .3 and .7)
+(CONTROL fanuc-16i fanuc-30i)
+(PARAMETER 3402.0 = 1)
+(PARAMETER 3402.1 = 1)
+(PARAMETER 3402.3 = 1)
+(PARAMETER 3402.7 = 1)
+%
+O1
+#100=#4001
+#101=#4002
+#102=#4003
+#103=#4004
+G0 X10.
+X10.
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 18)
+(EXPECT #102 = 91)
+(EXPECT #103 = 23)
+(EXPECT MOVE 2 G0 X20)
+
+(CASE and 3402.2)
+(CONTROL fanuc-16i fanuc-30i)
+(PARAMETER 3402.2 = 1)
+%
+O1
+#101=#4002
+#102=#4003
+M30
+%
+(EXPECT #101 = 19)
+(EXPECT #102 = 90)

@@ -169,7 +169,8 @@ Result<double, Failure> cutter_radius(const Control& control) {
     return missing(source::DiagnosticId::SetupMissingTool, fmt::format("D{}", number));
   }
   const runtime::ToolEntry entry = control.offsets.get(number);
-  return number != 0 ? entry.radius_mm + entry.radius_wear_mm : 0.0;
+  const double share = control.parameters.is_on(ParameterId::DiameterOffsets) ? 0.5 : 1.0;
+  return number != 0 ? share * (entry.radius_mm + entry.radius_wear_mm) : 0.0;
 }
 
 /// G52: the named axes take this shift, in every work system (MB-290).

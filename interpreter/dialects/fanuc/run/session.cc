@@ -144,6 +144,28 @@ void preset_variables(Control& control, const runtime::ControlSetup& setup,
   }
 }
 
+/// The codes in force when the control is switched on, where parameters choose others.
+void choose_codes_at_start(Control& control) {
+  struct Choice {
+    ParameterId by;
+    Group group;
+    GNumber code;
+  };
+  // Of G18 and G19 the first one counts.
+  constexpr Choice kChoices[] = {
+      {ParameterId::StartsInFeed, Group::Motion, {1, 0}},
+      {ParameterId::StartsInYz, Group::Plane, {19, 0}},
+      {ParameterId::StartsInZx, Group::Plane, {18, 0}},
+      {ParameterId::StartsIncremental, Group::Distance, {91, 0}},
+      {ParameterId::StartsWithoutStrokeCheck, Group::StrokeCheck, {23, 0}},
+  };
+  for (const Choice& choice : kChoices) {
+    if (control.parameters.is_on(choice.by)) {
+      control.modal.group[choice.group] = choice.code;
+    }
+  }
+}
+
 /// Those that g31 does not have, or that change nothing.
 void tell_unknown_parameters(Control& control, const runtime::ControlSetup& setup) {
   for (const auto& [name, value] : setup.parameters) {
@@ -182,6 +204,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   fill_kinematics(parameters, setup.kinematics);
   control.take_kinematics(setup.kinematics);
   control.apply(parameters);
+  choose_codes_at_start(control);
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }
