@@ -260,3 +260,48 @@ G90 G37.1 Z40. R5. D0.4
 M30
 %
 (EXPECT ALARM 607 AT 10)
+
+(CASE MB-305 P of a helix counts whole turns beside the angle between its ends, of one pitch)
+%
+O1
+G17 G90 G0 X10. Y0 Z0
+G3 X10. Y0 I-10. J0 Z-5. P2 F1000
+G3 X0 Y10. I-10. J0 Z-10. P1
+G2 X10. Y0 I0 J-10. Z-11. P0
+M30
+%
+(EXPECT MOVE 2 G3 X10 Y0 Z-2.5)
+(EXPECT MOVE 3 G3 X10 Y0 Z-5)
+(EXPECT MOVE 4 G3 X10 Y0 Z-9)
+(EXPECT MOVE 5 G3 X0 Y10 Z-10)
+(EXPECT MOVE 6 G2 X10 Y0 Z-11)
+
+(CASE MB-305 clockwise from X10 to Y10 are three quarters of a turn)
+%
+O1
+G17 G90 G0 X10. Y0 Z0
+G2 X0 Y10. I-10. J0 Z-7. P1 F1000
+M30
+%
+(EXPECT MOVE 2 G2 X10 Y0 Z-4)
+(EXPECT MOVE 3 G2 X0 Y10 Z-7)
+
+(CASE MB-305 it has a range)
+%
+O1
+G17 G90 G0 X10. Y0 Z0
+G3 X10. Y0 I-10. J0 Z-5. P10000 F1000
+M30
+%
+(EXPECT ALARM 35 AT 4)
+
+(CASE MB-305 P without a third axis, or beside R, counts nothing)
+%
+O1
+G17 G90 G0 X10. Y0 Z0
+G3 X10. Y0 I-10. J0 P3 F1000
+G3 X0 Y10. R10. Z-1. P3
+M30
+%
+(EXPECT MOVE 2 G3 X10 Y0 Z0)
+(EXPECT MOVE 3 G3 X0 Y10 Z-1)

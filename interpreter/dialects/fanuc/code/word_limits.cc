@@ -100,7 +100,7 @@ MaybeWrong wrong_skip(int number, SkipSelection selection) {
   constexpr int kSelections = 4;
   if (selection == SkipSelection::Mask) {
     return is_out(number, 1, kAllSignals)
-               ? wrong(AlarmId::SkipMask, "P is 1 to 255, one bit for each signal")
+               ? wrong(AlarmId::ValueOutOfRange, "P is 1 to 255, one bit for each signal")
                : std::nullopt;
   }
   const bool is_there = skips_by_torque(number) || !is_out(number, 1, kSelections);

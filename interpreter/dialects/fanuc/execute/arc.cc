@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -158,6 +159,56 @@ MaybeFailure move_unequally_scaled(Control& control, const Arc& arc, const Eigen
   return line_to(control, control.coordinates.work_to_path(arc.q_W_end), 1, feed_mm_min);
 }
 
+/// MELDAS: P of a helix is how many whole turns it goes beside the angle between its ends, which is
+/// less than one turn; nothing, where no third axis moves or the arc is given by R.
+Result<int, Failure> whole_turns(const Control& control, const NcBlock& block, const Plane& plane) {
+  static constexpr int kMostTurns = 9999;
+  const EvaluatedWord* const p = block.words.find('P');
+  const char across = kAxisLetters[static_cast<std::size_t>(plane.across)];
+  if (!control.profile.helix_counts_turns || p == nullptr || !block.words.has(across) ||
+      block.words.has('R')) {
+    return 0;
+  }
+  return integer_within(*p, [](int turns) {
+    return turns < 0 || turns > kMostTurns
+               ? MaybeWrong(WrongValue{AlarmId::ValueOutOfRange,
+                                       fmt::format("P of a helix is 0 to {} turns", kMostTurns)})
+               : std::nullopt;
+  });
+}
+
+/// The part of a turn from the start of an arc to its end, 0 up to 1.
+double part_of_turn(const Arc& arc, const Eigen::Vector2d& centre) {
+  constexpr double kSameAngle = 1e-9;
+  const Eigen::Vector2d from = in_plane(arc.q_W_start, arc.plane) - centre;
+  const Eigen::Vector2d to = in_plane(arc.q_W_end, arc.plane) - centre;
+  const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const double along = (arc.turn == Turn::Clockwise ? -angle : angle) / (2.0 * std::numbers::pi);
+  const double part = along < 0.0 ? along + 1.0 : along;
+  return part < kSameAngle || part > 1.0 - kSameAngle ? 0.0 : part;
+}
+
+/// A helix of whole turns and what is left to its end, all of one pitch.
+MaybeFailure move_in_turns(Control& control, const Arc& arc, const Eigen::Vector2d& centre,
+                           int turns, double feed_mm_min) {
+  const double rest = part_of_turn(arc, centre);
+  const double all = turns + rest;
+  const AxisPositions way = arc.q_W_end - arc.q_W_start;
+  Arc piece = arc;
+  for (int turn = 1; turn <= turns; ++turn) {
+    const bool is_last = turn == turns && rest == 0.0;
+    piece.q_W_end = is_last ? arc.q_W_end : AxisPositions(arc.q_W_start + turn / all * way);
+    piece.q_W_end[arc.plane.first] = arc.q_W_start[arc.plane.first];
+    piece.q_W_end[arc.plane.second] = arc.q_W_start[arc.plane.second];
+    if (auto failure = move_along(control, piece, centre, feed_mm_min)) {
+      return failure;
+    }
+    piece.q_W_start = piece.q_W_end;
+  }
+  piece.q_W_end = arc.q_W_end;
+  return rest > 0.0 ? move_along(control, piece, centre, feed_mm_min) : std::nullopt;
+}
+
 Turn programmed_turn(const Control& control) {
   return control.modal.group[Group::Motion].whole == 2 ? Turn::Clockwise : Turn::Counterclockwise;
 }
@@ -245,15 +296,26 @@ MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   const double first = transform.stretch(plane.first);
   const double second = transform.stretch(plane.second);
   const bool unequal = std::abs(first - second) > 1e-9;
-  if (unequal && control.cutter.wish.kind != path::CornerWish::Kind::Sharp) {
-    return block_failure(AlarmId::ImproperCommand, ",C or ,R at an unequally scaled arc");
+  const auto turns = whole_turns(control, block, plane);
+  if (!turns) {
+    return turns.error();
+  }
+  const bool is_one_piece = !unequal && turns.value() == 0;
+  if (!is_one_piece && control.cutter.wish.kind != path::CornerWish::Kind::Sharp) {
+    return block_failure(AlarmId::ImproperCommand,
+                         ",C or ,R at an unequally scaled arc or a helix of several turns");
+  }
+  if (unequal && turns.value() > 0) {
+    return block_failure(AlarmId::ImproperCommand, "a helix of several turns, unequally scaled");
   }
   const auto feed = feed_over(control, [&] { return way_of(control, arc, centre.value()); });
   if (!feed) {
     return feed.error();
   }
   auto failure = unequal ? move_unequally_scaled(control, arc, centre.value(), feed.value())
-                         : move_along(control, arc, centre.value(), feed.value());
+                 : is_one_piece
+                     ? move_along(control, arc, centre.value(), feed.value())
+                     : move_in_turns(control, arc, centre.value(), turns.value(), feed.value());
   if (!failure) {
     control.coordinates.arrived_at_programmed(q_L_end);
   }

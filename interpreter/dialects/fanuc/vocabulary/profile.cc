@@ -100,6 +100,7 @@ constexpr Profile meldas() {
   Profile profile = fanuc_16i();
   profile.name = "meldas";
   profile.text = "Mitsubishi MELDAS M60, M70, M700";
+  profile.helix_counts_turns = true;  // M700V programming manual, helical interpolation
   profile.alarm_numbers = AlarmNumbers::Meldas;
   profile.alarm_prefix = "P";
   profile.digit_limit = 12;

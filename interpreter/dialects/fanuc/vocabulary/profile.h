@@ -203,6 +203,8 @@ struct Profile {
   /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
   bool bars_origins_in_rotation = true;
 
+  bool helix_counts_turns = false;  ///< P of G02 and G03 beside a third axis: whole turns
+
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles
