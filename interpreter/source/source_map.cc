@@ -41,6 +41,10 @@ ShownPlace shown(const std::string& name, std::string_view text, const LineStart
     rest.remove_prefix(kByteOrderMark.size());
     before -= std::min(before, kByteOrderMark.size());
   }
+  // A tape's line ends with LF CR CR: what stands of it before a block is no part of its text.
+  for (; before > 0 && rest.starts_with('\r'); --before) {
+    rest.remove_prefix(1);
+  }
   return {name, place.line + first_line - 1, column_behind(rest.substr(0, before)),
           std::string(rest.substr(0, rest.find_first_of("\r\n")))};
 }

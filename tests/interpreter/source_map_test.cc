@@ -122,6 +122,26 @@ TEST(SourceMap, ShowsAPlaceAsAPersonWouldCountIt) {
   expect_equal(shown("O1\n\n", ""), {"x", 1, 1, "O1"});
 }
 
+// A punched tape ends its lines with LF CR CR: the CRs stand before the next block.
+TEST(SourceMap, ShowsLinesOfATapeWithoutTheirCarriageReturns) {
+  ChangingFiles files;
+  SourceMap sources(files);
+  const std::string text = "%\n\r\rG0X1.\n\r\rG77\n\r\r";
+  const SourceFile& file = sources.whole("punch.nc", text);
+  const auto shown = [&](std::size_t offset) {
+    return sources.show(file.at({offset, offset + 1}));
+  };
+  const ShownPlace first = shown(text.find("G0"));
+  EXPECT_EQ(first.line, 2);
+  EXPECT_EQ(first.column, 1);
+  EXPECT_EQ(first.text, "G0X1.");
+  const ShownPlace second = shown(text.find("77"));
+  EXPECT_EQ(second.line, 3);
+  EXPECT_EQ(second.column, 2);
+  EXPECT_EQ(second.text, "G77");
+  EXPECT_EQ(shown(text.size() - 1).text, "") << "a line of nothing else";
+}
+
 TEST(SourceMap, KnowsAFileByItsPathAndText) {
   ChangingFiles files;
   SourceMap sources(files);
