@@ -197,6 +197,15 @@ TEST(SetupCommand, TellsParametersWithoutEffectAndLostVariables) {
   EXPECT_EQ(output.exit_code, 1);
 }
 
+TEST(SetupCommand, TellsAxesThatAFanucDoesNotHave) {
+  const std::string sheet = "[machine.axes.W]\nrapid = 10000.0\n";
+  const CommandOutput output = reviewed(sheet);
+  EXPECT_TRUE(has(output, "an axis W, which this control does not have [PRB506]")) << output.out;
+  EXPECT_EQ(output.exit_code, 1);
+  const CommandOutput has_it = reviewed("[control]\nprofile = \"sinumerik-828d\"\n" + sheet);
+  EXPECT_FALSE(has(has_it, "PRB506")) << has_it.out;
+}
+
 TEST(SetupCommand, SaysHowFarAProgramCouldBeFollowed) {
   const CommandOutput output =
       reviewed(std::string(kSheet) + kBlock, "O1\nIF [#5061 EQ 0] THEN #3000=1 (NOTHING)\nM30\n");

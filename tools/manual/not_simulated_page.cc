@@ -41,6 +41,9 @@ without a word: what they say has nothing to act on here.
   (`$NK_`, `$NT_`) have offsets, rotary, linear and fixed turned elements: a slide on a rotary axis and SWITCH are refused.  What
   compile cycles do with files of interpolation points and of directions is not there.  The shaft of a probe senses nothing:
   CYCLE995 needs a further ball in its place.
+* Fanuc: the machine has axes X, Y, Z, A, B and C.  U, V and W of a mill (a quill, a boring head, a pallet) are not
+  there: the sheet's [machine.axes.W] is a warning (PRB506), a block that moves W is alarm 9.  Programs of the T series,
+  for lathes, are refused where they show what they are (PRB003).
 * Fanuc, five axes: tilted planes and tool centre point control run; the radius is not compensated in space, and without
   parameter 1422 an axis that would be too fast slows the move instead of alarm 5422.
 )";

@@ -49,10 +49,10 @@ class DiskWithIdleProgram final : public source::FileSystem {
 
 /// What a run says of its set-up, beside what it says of its touches.
 bool is_about_setup(const source::Diagnostic& diagnostic) {
-  static constexpr auto kIds =
-      std::to_array({source::DiagnosticId::SetupMissingTool,
-                     source::DiagnosticId::SetupMissingOffset, source::DiagnosticId::OffsetNeverSet,
-                     source::DiagnosticId::ProgramTwice, source::DiagnosticId::UnknownParameter});
+  static constexpr auto kIds = std::to_array(
+      {source::DiagnosticId::SetupMissingTool, source::DiagnosticId::SetupMissingOffset,
+       source::DiagnosticId::OffsetNeverSet, source::DiagnosticId::ProgramTwice,
+       source::DiagnosticId::UnknownParameter, source::DiagnosticId::UnusedAxis});
   // Alarms of a SINUMERIK for an edge, a tool's number and a tool's name that it has not.
   static constexpr auto kAlarms = std::to_array<std::string_view>({"17181", "17190", "17191"});
   return std::ranges::any_of(

@@ -166,6 +166,15 @@ void choose_codes_at_start(Control& control) {
   }
 }
 
+/// Those that a sheet gives the machine and this control does not have.
+void tell_unused_axes(Control& control, const runtime::ControlSetup& setup) {
+  for (const auto& [letter, axis] : setup.further_axes) {
+    control.diagnostics.push_back(
+        make_diagnostic(source::DiagnosticId::UnusedAxis, {}, std::string(1, letter)));
+    control.diagnostics.back().setting = fmt::format("machine.axes.{}", letter);
+  }
+}
+
 /// Those that g31 does not have, or that change nothing.
 void tell_unknown_parameters(Control& control, const runtime::ControlSetup& setup) {
   for (const auto& [name, value] : setup.parameters) {
@@ -205,6 +214,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   control.take_kinematics(setup.kinematics);
   control.apply(parameters);
   choose_codes_at_start(control);
+  tell_unused_axes(control, setup);
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }
