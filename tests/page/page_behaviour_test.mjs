@@ -91,6 +91,34 @@ test('keys: touch before and next, play and pause, arrows on the range, arrows o
   await eventually(async () => assert.notEqual((await pixelsOf(page)).sum, sum, 'it turns'));
 });
 
+test('a drag that begins on a number turns the scene, a click there chooses', async () => {
+  const { page } = opened;
+  await page.click('[data-view="iso"]');
+  await page.click('tr[data-touch="9"] td:nth-child(3)');
+  const label = () => page.evaluate(() => {
+    const badge = document.querySelector('.scene-labels .badge:not(.sel)'); // another one with each drawing
+    const { x, y, width, height } = badge.getBoundingClientRect();
+    return { number: Number(badge.textContent), at: [x + width / 2, y + height / 2] };
+  });
+  await page.evaluate(() => document.getElementById('scenebox').scrollIntoView({ block: 'center' }));
+  const { sum } = await pixelsOf(page);
+  const [x, y] = (await label()).at;
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 30, { steps: 6 });
+  await page.mouse.up();
+  await eventually(async () => assert.notEqual((await pixelsOf(page)).sum, sum, 'it turns'));
+  assert.equal(await page.evaluate(() => getSelection().toString()), '');
+  assert.deepEqual(await chosen(page), [9], 'nothing else is chosen');
+  const turned = (await pixelsOf(page)).sum;
+  await page.mouse.move(...(await label()).at);
+  await page.mouse.wheel(0, -200);
+  await eventually(async () => assert.notEqual((await pixelsOf(page)).sum, turned, 'it has the focus, and comes nearer'));
+  const { number, at } = await label();
+  await page.mouse.click(...at);
+  assert.deepEqual(await chosen(page), [number]);
+});
+
 test('the section can be closed, views be chosen', async () => {
   const { page } = opened;
   await page.click('[data-view="iso"]');

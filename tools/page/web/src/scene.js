@@ -8,6 +8,7 @@ import { SceneSketch } from './scene_sketch.js';
 import { word } from './words.js';
 
 const TURN = 8; // degrees a key
+const DRAG = 4; // px that a pointer moves before it drags
 const MAGNIFICATIONS = [20, 50, 100, 200, 500, 1000, 2000];
 const PAPER_RATIO = 3; // px of the picture on paper a px of its layout
 
@@ -85,40 +86,55 @@ export class Scene {
     button.setAttribute('aria-pressed', String(this.painter.isOpen));
   }
 
-  /** @param {HTMLElement} view */
+  /** Numbers of touches lie above the scene: what is done to them is done to it, but for a click. @param {HTMLElement} view */
   linkPointer(view) {
+    const box = /** @type {HTMLElement} */ (this.box);
+    const isTool = (/** @type {Event} */ event) => /** @type {Element} */ (event.target).closest('.scene-tools') != null;
     /** @type {Map<number, {x: number, y: number}>} */
     const down = new Map();
-    view.addEventListener('pointerdown', (event) => {
-      down.set(event.pointerId, { x: event.clientX, y: event.clientY });
-      view.setPointerCapture(event.pointerId);
+    box.addEventListener('mousedown', (event) => {
+      if (isTool(event)) return;
+      event.preventDefault(); // no text is selected, and the number takes no focus away
+      view.focus({ preventScroll: true });
+    });
+    box.addEventListener('pointerdown', (event) => {
+      if (!isTool(event)) down.set(event.pointerId, { x: event.clientX, y: event.clientY });
     });
     for (const end of ['pointerup', 'pointercancel']) {
-      view.addEventListener(end, (event) => down.delete(/** @type {PointerEvent} */ (event).pointerId));
+      addEventListener(end, (event) => down.delete(/** @type {PointerEvent} */ (event).pointerId));
     }
-    view.addEventListener('pointermove', (event) => {
-      const before = down.get(event.pointerId);
-      if (!before || !this.orbit) return;
-      const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
-      const others = [...down].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-      if (others.length) this.pinch(before, event, others[0]);
-      else if (event.shiftKey || event.buttons === 2) this.orbit.pan(dx, dy);
-      else this.orbit.turn(dx * 0.4, event.pointerType === 'touch' ? 0 : dy * 0.4);
-      down.set(event.pointerId, { x: event.clientX, y: event.clientY });
-      this.request();
-    });
+    box.addEventListener('pointermove', (event) => this.drag(down, event));
     // A wheel scrolls the page; it zooms the scene that has the focus, and with the control key, as a pinch does.
-    view.addEventListener('wheel', (event) => {
+    box.addEventListener('wheel', (event) => {
       if (!event.ctrlKey && document.activeElement !== view) return;
       event.preventDefault();
       this.orbit?.come(Math.exp(-event.deltaY * 0.0015));
       this.request();
     }, { passive: false });
-    view.addEventListener('contextmenu', (event) => event.preventDefault());
+    box.addEventListener('contextmenu', (event) => event.preventDefault());
     view.addEventListener('dblclick', () => {
       this.orbit?.fit();
       this.request();
     });
+  }
+
+  /** @param {Map<number, {x: number, y: number}>} down where pointers were @param {PointerEvent} event */
+  drag(down, event) {
+    const box = /** @type {HTMLElement} */ (this.box);
+    const before = down.get(event.pointerId);
+    if (!before || !this.orbit) return;
+    const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
+    // The click of a captured pointer is the box's: a hand that trembles still chooses the number that it is on.
+    if (!box.hasPointerCapture(event.pointerId)) {
+      if (Math.hypot(dx, dy) < DRAG) return;
+      box.setPointerCapture(event.pointerId);
+    }
+    const others = [...down].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
+    if (others.length) this.pinch(before, event, others[0]);
+    else if (event.shiftKey || event.buttons === 2) this.orbit.pan(dx, dy);
+    else this.orbit.turn(dx * 0.4, event.pointerType === 'touch' ? 0 : dy * 0.4);
+    down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.request();
   }
 
   /** @param {{x: number, y: number}} before @param {PointerEvent} now @param {{x: number, y: number}} other */
