@@ -25,7 +25,7 @@ text { font-family: "DejaVu Sans", Helvetica, Arial, sans-serif; font-size: 12px
 .line1 { stroke: #c2410c; } .fill1 { fill: #c2410c; }
 .line2 { stroke: #2a7f3e; } .fill2 { fill: #2a7f3e; }
 .line3 { stroke: #7a3e9d; } .fill3 { fill: #7a3e9d; }
-@media (prefers-color-scheme: dark) {
+@media screen and (prefers-color-scheme: dark) {
 text { fill: #e6ebef; }
 .paper { fill: #14181c; }
 .faint { fill: #a3b0b9; }
