@@ -119,6 +119,32 @@ for (const [name, file] of [
   });
 }
 
+test('a picture that is wider than its window fades out where more of it lies; the table of results fits', async (t) => {
+  const file = reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0']);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, close } = await open(browser, file, { width: 360 });
+  const isBeside = () => page.evaluate(() => document.querySelector('.drawing').classList.contains('beside'));
+  await eventually(async () => assert.ok(await isBeside()));
+  await page.evaluate(() => { document.querySelector('.drawing').scrollLeft = 1e4; });
+  await eventually(async () => assert.ok(!await isBeside(), 'nothing more lies there'));
+  assert.deepEqual(await page.evaluate(() => {
+    const box = document.getElementById('results').parentElement;
+    return [box.scrollWidth - box.clientWidth, box.scrollHeight - box.clientHeight];
+  }), [0, 0]);
+  await close();
+});
+
+test('paper is light, drawings too, where the system is dark', async (t) => {
+  const file = reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0']);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, close } = await open(browser, file, { theme: 'dark' });
+  const paper = () => page.evaluate(() => getComputedStyle(document.querySelector('.drawing .paper')).fill);
+  assert.equal(await paper(), 'rgb(20, 24, 28)');
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await paper(), 'rgb(255, 255, 255)');
+  await close();
+});
+
 test('an evaluation says nothing of a simulation: its rows may be those of a machine', async (t) => {
   const file = reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0']);
   if (file === null) return t.skip('this g31 writes no pages');

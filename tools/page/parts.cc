@@ -10,6 +10,9 @@
 namespace g31::page {
 namespace {
 
+/// Rows of a table that stands there whole; a longer one scrolls by itself.
+constexpr std::size_t kMostWhole = 40;
+
 std::string drawing(const Drawing& drawing) {
   return fmt::format(
       R"(<section class="card"><header><h2>{0}</h2></header><div class="drawing" tabindex="0" role="region" aria-label="{0}">{1}</div>{2}</section>)",
@@ -21,9 +24,9 @@ std::string drawing(const Drawing& drawing) {
 
 std::string table(const Report& report, const Table& table) {
   std::string html = fmt::format(
-      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw tall" tabindex="0" role="region" aria-label="{1}"><table{2}><thead><tr>)",
+      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw{3}" tabindex="0" role="region" aria-label="{1}"><table{2}><thead><tr>)",
       escaped(table.title), escaped(table_label(report, table.title)),
-      table.is_results ? R"( id="results")" : "");
+      table.is_results ? R"( id="results")" : "", table.rows.size() > kMostWhole ? " tall" : "");
   for (std::size_t i = 0; i < table.head.size(); ++i) {
     html += fmt::format(R"(<th scope="col"{}>{}</th>)", i > 0 ? R"( class="n")" : "",
                         escaped(table.head[i]));

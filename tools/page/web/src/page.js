@@ -5,6 +5,7 @@ import { Listing } from './listing.js';
 import { followEditions, restoreTheme } from './live.js';
 import { byId } from './markup.js';
 import { jsonOf, named, partsOf } from './page_data.js';
+import { markOverflow } from './overflow.js';
 import { Plan } from './plan.js';
 import { keepPrintable } from './print.js';
 import { Run } from './run.js';
@@ -101,6 +102,7 @@ function start(document_, figures) {
 
 function begin() {
   const began = performance.now();
+  markOverflow();
   const document_ = jsonOf('g31-document');
   if (!document_) return;
   window.g31 = document_;
