@@ -1,7 +1,9 @@
 // Edges of a mesh: sharp ones, and those where it turns away from the viewer.
+import { joined } from './edge_chains.js';
 
 const SHARP = Math.cos((20 * Math.PI) / 180); // faces that meet at a greater angle have an edge between them
 const WELD = 1e4; // corners within 0.1 um are one
+const ROUND = 1e-4; // of the size of a mesh: what a sharp edge may be off the mesh
 
 /** @typedef {{positions: Float32Array, triangles: Uint32Array}} Mesh */
 
@@ -31,7 +33,7 @@ export class SolidEdges {
         }
       }
     }
-    this.sharp = this.chosen((first, second) => second < 0 || this.turn(first, second) < SHARP);
+    this.sharp = joined(this.chosen((first, second) => second < 0 || this.turn(first, second) < SHARP), ROUND * sizeOf(positions));
     this.smooth = this.edges.length / 4 > 0 ? this.smoothEdges() : [];
   }
 
@@ -80,6 +82,16 @@ export class SolidEdges {
     }
     return ends;
   }
+}
+
+/** The diagonal of the box about it. @param {Float32Array} positions */
+function sizeOf(positions) {
+  const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+  positions.forEach((value, n) => {
+    low[n % 3] = Math.min(low[n % 3], value);
+    high[n % 3] = Math.max(high[n % 3], value);
+  });
+  return Math.hypot(...high.map((value, axis) => value - low[axis])) || 0;
 }
 
 /** For each corner the first one of the same place. @param {Float32Array} positions */
