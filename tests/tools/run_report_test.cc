@@ -145,6 +145,8 @@ TEST_F(Report, OfAStudySaysWhichSetUpItSpeaksOf) {
       << page.substr(0, page.find("<main>"));
 }
 
+  EXPECT_TRUE(has(page, "95 % interval of the mean"));
+  EXPECT_TRUE(has(page, "6.000000 … 6.000000")) << "as terminal and document have it";
 TEST_F(Report, SaysByHowMuchAResultIsOut) {
   const std::string page = page_of(kTouch, {"--expect", "#160=17+-0.005"});
   EXPECT_EQ(output_.exit_code, 1);

@@ -73,9 +73,15 @@ std::string badge_of(const Report& report, std::size_t touch) {
 
 std::string drawings_part(const Report& report) {
   std::string html;
+  bool is_open = false;
   for (const Drawing& one : report.drawings) {
+    if (one.is_half != is_open) {
+      html += one.is_half ? R"(<div class="two charts">)" : "</div>";
+      is_open = one.is_half;
+    }
     html += drawing(one);
   }
+  html += is_open ? "</div>\n" : "";
   for (const Table& one : report.tables) {
     html += table(report, one);
   }

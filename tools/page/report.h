@@ -143,6 +143,7 @@ struct Drawing {
   std::string title;
   std::string svg;
   std::string caption;
+  bool is_half = false;  ///< where there is room, beside the next one
 };
 
 /// A plain table; cells of numbers are right-aligned.

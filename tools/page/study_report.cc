@@ -40,16 +40,23 @@ std::string result_name(const study::Description& study, std::size_t result, std
   return where.empty() ? name : fmt::format("{}, {}", name, where);
 }
 
+std::string interval_text(const std::optional<study::Interval>& interval) {
+  return interval ? fmt::format("{} … {}", significant(interval->low, kStudyDecimals),
+                                significant(interval->high, kStudyDecimals))
+                  : number(std::nullopt, kStudyDecimals);
+}
+
 Table summary_table(const study::Record& record, Language language) {
   const study::Description& study = record.description;
   const auto say = [language](Word name) { return std::string(text_of(name, language)); };
-  Table table{
-      say(Word::Results),
-      {say(Word::Characteristic), "n", say(Word::Mean), "s", say(Word::Least), say(Word::Most),
-       say(Word::Bias), "U (k = 2)", say(Word::Known), say(Word::Published), say(Word::Unit)},
-      {},
-      {},
-      true};
+  Table table{say(Word::Results),
+              {say(Word::Characteristic), "n", say(Word::Mean),
+               said(language, Word::MeanInterval, fmt::arg("percent", study.confidence_percent)),
+               "s", say(Word::Least), say(Word::Most), say(Word::Bias), "U (k = 2)",
+               say(Word::Known), say(Word::Published), say(Word::Unit)},
+              {},
+              {},
+              true};
   const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
   for (std::size_t point = 0; point < points; ++point) {
     for (std::size_t i = 0; i < study.results.size(); ++i) {
@@ -59,15 +66,15 @@ Table summary_table(const study::Record& record, Language language) {
       for (const double value : form.published) {
         published += (published.empty() ? "" : ", ") + significant(value, kStudyDecimals);
       }
-      table.rows.push_back({result_name(study, i, point), fmt::format("{}", summary.n),
-                            significant(summary.mean, kStudyDecimals),
-                            significant(summary.standard_deviation, kStudyDecimals),
-                            significant(summary.min, kStudyDecimals),
-                            significant(summary.max, kStudyDecimals),
-                            significant(summary.bias, kStudyDecimals, ShowSign::Always),
-                            significant(summary.expanded_uncertainty, kStudyDecimals),
-                            significant(form.expected, kStudyDecimals),
-                            published.empty() ? "–" : published, form.unit});
+      table.rows.push_back(
+          {result_name(study, i, point), fmt::format("{}", summary.n),
+           significant(summary.mean, kStudyDecimals), interval_text(summary.mean_confidence),
+           significant(summary.standard_deviation, kStudyDecimals),
+           significant(summary.min, kStudyDecimals), significant(summary.max, kStudyDecimals),
+           significant(summary.bias, kStudyDecimals, ShowSign::Always),
+           significant(summary.expanded_uncertainty, kStudyDecimals),
+           significant(form.expected, kStudyDecimals), published.empty() ? "–" : published,
+           form.unit});
     }
   }
   return table;
@@ -91,9 +98,9 @@ void add_charts(const study::Record& record, Report& report) {
       }
       const std::string name = result_name(study, i, point);
       report.drawings.push_back({name, histogram(readings, report.language),
-                                 std::string(text_of(Word::SaysHistogram, report.language))});
+                                 std::string(text_of(Word::SaysHistogram, report.language)), true});
       report.drawings.push_back({name, run_chart(readings, report.language),
-                                 std::string(text_of(Word::SaysRunChart, report.language))});
+                                 std::string(text_of(Word::SaysRunChart, report.language)), true});
     }
   }
 }
