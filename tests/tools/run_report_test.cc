@@ -117,7 +117,11 @@ TEST_F(Report, OfAFileOfReadingsHasItsResults) {
     rows += fmt::format("{},{:.6f},{:.6f}\n", i, 10.0 * std::cos(angle), 10.0 * std::sin(angle));
   }
   g31({"evaluate", "circle", folder_.write("circle.csv", rows), "--report", path()});
-  EXPECT_TRUE(has(text_in(path()), R"(<table id="results">)"));
+  const std::string page = text_in(path());
+  EXPECT_TRUE(has(page, R"(<table id="results">)"));
+  EXPECT_TRUE(has(page, R"(id="headline">circular_error is )"));
+  EXPECT_TRUE(has(page, "<h3>Notes: ")) << "they are no findings";
+  EXPECT_FALSE(has(page, "<h3>Findings: "));
 }
 
 TEST_F(Report, OfReadingsNamesTheFileOfDiameters) {
@@ -141,12 +145,12 @@ TEST_F(Report, OfAStudySaysWhichSetUpItSpeaksOf) {
   const std::string page = text_in(path());
   EXPECT_TRUE(has(page, R"(<table id="results">)"));
   EXPECT_TRUE(has(page, folder_.path("a.nc") + "</code>")) << "the program decides, too";
+  EXPECT_TRUE(has(page, "95 % interval of the mean"));
+  EXPECT_TRUE(has(page, "6.000000 … 6.000000")) << "as terminal and document have it";
   EXPECT_TRUE(has(page, "double, variables.#500 = 3: mean 6"))
       << page.substr(0, page.find("<main>"));
 }
 
-  EXPECT_TRUE(has(page, "95 % interval of the mean"));
-  EXPECT_TRUE(has(page, "6.000000 … 6.000000")) << "as terminal and document have it";
 TEST_F(Report, SaysByHowMuchAResultIsOut) {
   const std::string page = page_of(kTouch, {"--expect", "#160=17+-0.005"});
   EXPECT_EQ(output_.exit_code, 1);

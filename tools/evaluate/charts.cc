@@ -25,10 +25,8 @@ std::string shown_unit(std::string_view unit) {
 /// Its value to the second digit of its uncertainty.
 std::string value_of(const Quantity& quantity) {
   const double value = *quantity.value + 0.0;
-  constexpr double kSmallest = 1e-9;
-  if (quantity.u && *quantity.u >= kSmallest && *quantity.u < 1.0) {
-    const int decimals = 1 - static_cast<int>(std::floor(std::log10(*quantity.u)));
-    const std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (const auto decimals = decimals_by_u(quantity)) {
+    const std::string text = fmt::format("{:.{}f}", value, *decimals);
     return text.find_first_of("123456789") == std::string::npos ? "0" : text;
   }
   return fmt::format("{:.{}g}", value, quantity.unit == "mm" ? 8 : 4);

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr KindRow kKindRows[] = {
-#define EVALUATION_KIND(name, word, columns, text) {Kind::name, word, columns, text},
+#define EVALUATION_KIND(name, word, columns, leads, text) {Kind::name, word, columns, leads, text},
 #include "tools/evaluate/evaluation_kinds.def"
 #undef EVALUATION_KIND
 };
@@ -133,6 +133,38 @@ std::span<const KindRow> kinds() {
 
 const KindRow& info(Kind kind) {
   return *std::ranges::find(kKindRows, kind, &KindRow::kind);
+}
+
+std::optional<int> decimals_by_u(const Quantity& quantity) {
+  constexpr double kSmallest = 1e-9;
+  if (!quantity.u || *quantity.u < kSmallest || *quantity.u >= 1.0) {
+    return std::nullopt;
+  }
+  return 1 - static_cast<int>(std::floor(std::log10(*quantity.u)));
+}
+
+std::vector<const Quantity*> leading(const Evaluation& evaluation) {
+  std::vector<const Quantity*> found;
+  std::string_view leads = info(evaluation.kind).leads;
+  while (!leads.empty()) {
+    const std::size_t end = std::min(leads.find(' '), leads.size());
+    const ResultRow lead{"", leads.substr(0, end), "", ""};
+    leads.remove_prefix(std::min(end + 1, leads.size()));
+    const Quantity* largest = nullptr;
+    for (const Quantity& quantity : evaluation.results) {
+      if (quantity.value && names(lead, quantity.name) &&
+          (!largest || std::abs(*quantity.value) > std::abs(*largest->value))) {
+        largest = &quantity;
+      }
+    }
+    if (largest) {
+      found.push_back(largest);
+    }
+  }
+  if (found.empty() && !evaluation.results.empty()) {
+    found.push_back(&evaluation.results.front());
+  }
+  return found;
 }
 
 std::string lower(std::string_view axis) {

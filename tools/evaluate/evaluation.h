@@ -14,7 +14,7 @@ namespace g31::evaluate {
 
 /// Rows of evaluation_kinds.def.
 enum class Kind {
-#define EVALUATION_KIND(name, word, columns, text) name,
+#define EVALUATION_KIND(name, word, columns, leads, text) name,
 #include "tools/evaluate/evaluation_kinds.def"
 #undef EVALUATION_KIND
 };
@@ -23,6 +23,7 @@ struct KindRow {
   Kind kind;
   std::string_view word;     ///< on the command line and in the document
   std::string_view columns;  ///< of the file
+  std::string_view leads;    ///< names of results as of ResultRow, blanks between them
   std::string_view text;
 };
 
@@ -68,6 +69,10 @@ struct Quantity {
   std::optional<double> u = {};  ///< standard uncertainty, where it is known
 };
 
+/// Decimals that show a value to the second digit of its uncertainty; nothing where that is not
+/// known, is next to nothing, or is 1 and more.
+std::optional<int> decimals_by_u(const Quantity& quantity);
+
 inline constexpr double kUmPerMm = 1e3;
 
 /// Micrometres.
@@ -108,6 +113,10 @@ struct Evaluation {
   std::string svg = {};                            ///< the drawing, where one was asked for
   std::vector<std::string> notes = {};             ///< what has to be known to read the results
 };
+
+/// The results that answer first, of each name of `leads` the one that is largest in size; the
+/// first of all where none of them has a value.
+std::vector<const Quantity*> leading(const Evaluation& evaluation);
 
 /// The document g31.evaluation/1.
 /// @param growth  here and below: told of it as it grows; may end the work

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
@@ -15,6 +17,23 @@ std::string unit_sign(std::string_view unit) {
   return unit.starts_with("um") ? "µ" + std::string(unit.substr(1)) : std::string(unit);
 }
 
+/// As many as its uncertainty has, which else would be finer than the value.
+int decimals_of(const evaluate::Quantity& quantity) {
+  return std::max(kDecimals, evaluate::decimals_by_u(quantity).value_or(kDecimals));
+}
+
+/// "circular_error is 4.2 µm."
+std::string headline_of(const evaluate::Evaluation& evaluation, Language language) {
+  std::string headline;
+  for (const evaluate::Quantity* const quantity : evaluate::leading(evaluation)) {
+    headline += (headline.empty() ? "" : " ") +
+                said(language, Word::SaysValue, fmt::arg("name", quantity->name),
+                     fmt::arg("value", significant(quantity->value, decimals_of(*quantity))),
+                     fmt::arg("unit", unit_sign(quantity->unit)));
+  }
+  return headline;
+}
+
 Table results_table(const evaluate::Evaluation& evaluation, Language language) {
   Table table{std::string(text_of(Word::Results, language)),
               {std::string(text_of(Word::Characteristic, language)),
@@ -24,8 +43,9 @@ Table results_table(const evaluate::Evaluation& evaluation, Language language) {
               {},
               true};
   for (const evaluate::Quantity& quantity : evaluation.results) {
-    table.rows.push_back({quantity.name, significant(quantity.value, kDecimals),
-                          significant(quantity.u, kDecimals), unit_sign(quantity.unit)});
+    const int decimals = decimals_of(quantity);
+    table.rows.push_back({quantity.name, significant(quantity.value, decimals),
+                          significant(quantity.u, decimals), unit_sign(quantity.unit)});
   }
   return table;
 }
@@ -65,10 +85,7 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
   report.verdict.state = word;
   report.verdict.headline = report.what;
   if (!evaluation.results.empty()) {
-    const evaluate::Quantity& first = evaluation.results.front();
-    report.verdict.headline = said(origin.language, Word::SaysValue, fmt::arg("name", first.name),
-                                   fmt::arg("value", significant(first.value, kDecimals)),
-                                   fmt::arg("unit", unit_sign(first.unit)));
+    report.verdict.headline = headline_of(evaluation, origin.language);
   }
   report.verdict.sentence =
       said(origin.language, Word::SaysRowsEvaluated, fmt::arg("rows", evaluation.samples));

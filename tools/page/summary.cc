@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
@@ -41,6 +43,17 @@ std::string finding(const Report& report, const Finding& one) {
   return html + "</div></div>";
 }
 
+/// What is merely told is no finding.
+std::string findings_head(const Report& report) {
+  if (report.findings.empty()) {
+    return std::string(word(report, Word::NoFindings));
+  }
+  const bool are_notes = std::ranges::all_of(
+      report.findings, [](const Finding& one) { return one.severity == source::Severity::Note; });
+  return fmt::format("{}: {}", word(report, are_notes ? Word::Notes : Word::Findings),
+                     report.findings.size());
+}
+
 /// Rows below a head; nothing without rows.
 std::string column(std::string_view head,
                    const std::vector<std::pair<std::string, std::string>>& rows) {
@@ -62,10 +75,7 @@ std::string summary_part(const Report& report) {
   std::string html = fmt::format(
       R"(<section id="summary" class="card verdict-card" aria-labelledby="headline"><div class="verdict {}"><div class="vmain">{}<div><div class="state">{}</div><h2 class="headline" id="headline">{}</h2></div><p>{}</p></div><div class="findings"><h3>{}</h3>)",
       class_of(verdict.sign), svg_of(verdict.sign), escaped(verdict.state),
-      escaped(verdict.headline), escaped(verdict.sentence),
-      report.findings.empty()
-          ? std::string(word(report, Word::NoFindings))
-          : fmt::format("{}: {}", word(report, Word::Findings), report.findings.size()));
+      escaped(verdict.headline), escaped(verdict.sentence), findings_head(report));
   for (const Finding& one : report.findings) {
     html += finding(report, one);
   }
