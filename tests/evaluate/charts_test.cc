@@ -39,7 +39,7 @@ TEST(Charts, ShowResultsToTheSecondDigitOfTheirUncertainty) {
   }
 }
 
-// Four colours: a second four are dashed, more have no name.
+// Four colours: a second four are dashed, more have no name; points of all are marked.
 TEST(Charts, NameTheCurvesThatCanBeToldApart) {
   std::vector<Curve> curves(10);
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -51,7 +51,46 @@ TEST(Charts, NameTheCurvesThatCanBeToldApart) {
     EXPECT_EQ(traces[i].name, i < 8 ? std::to_string(i) : std::string());
     EXPECT_EQ(traces[i].colour, i % 4);
     EXPECT_EQ(traces[i].style,
-              i >= 4 && i < 8 ? plot::CurveStyle::Dashed : plot::CurveStyle::Marked);
+              i >= 4 && i < 8 ? plot::CurveStyle::DashedMarked : plot::CurveStyle::Marked);
+  }
+}
+
+TEST(Charts, NameALineByItsPlaceToAMicrometre) {
+  const auto traces = deviation_traces({{"y_3.96452875838653", {}}, {"y_-0.0001", {}}}, {});
+  EXPECT_EQ(traces[0].name, "y = 3.965 mm");
+  EXPECT_EQ(traces[1].name, "y = 0 mm");
+}
+
+TEST(Evaluation, IsLedByWhatAnswersIt) {
+  struct Case {
+    Kind kind;
+    std::vector<Quantity> results;
+    std::vector<std::string> leads;
+  };
+  const Case kCases[] = {
+      {Kind::Square,
+       {{"corner_error_1", -3.0, "um"}, {"corner_error_max", -3.0, "um"}, {"side", 40.0, "mm"}},
+       {"corner_error_max"}},
+      {Kind::Diagonal,
+       {{"error_X", 1.0, "um"}, {"error_Y", -2.0, "um"}, {"error_Y_on", -9.0, "um"}},
+       {"error_Y"}},
+      {Kind::Straightness,
+       {{"delta", 7.0, "um"}, {"motion_straightness", 2.0, "um"}, {"work_straightness", 3.0, "um"}},
+       {"motion_straightness", "work_straightness"}},
+      {Kind::Circle,
+       {{"radial_error_max", 1.0, "um"}, {"circular_error", std::nullopt, "um"}},
+       {"radial_error_max"}},
+      {Kind::Flatness, {}, {}},
+  };
+  for (const Case& c : kCases) {
+    Evaluation evaluation;
+    evaluation.kind = c.kind;
+    evaluation.results = c.results;
+    std::vector<std::string> names;
+    for (const Quantity* const quantity : leading(evaluation)) {
+      names.push_back(quantity->name);
+    }
+    EXPECT_EQ(names, c.leads) << info(c.kind).word;
   }
 }
 

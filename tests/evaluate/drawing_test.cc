@@ -163,6 +163,43 @@ TEST(Drawing, OfEachKindIsTheSameEachTime) {
   }
 }
 
+/// How many dots stand in the frame of a chart.
+std::size_t dots_of(const std::string& svg) {
+  static const std::regex kDot("<circle [^>]*cx=\"([0-9.]+)\"");
+  constexpr double kRightEdge = 660.0;
+  return static_cast<std::size_t>(
+      std::count_if(std::sregex_iterator(svg.begin(), svg.end(), kDot), std::sregex_iterator(),
+                    [](const std::smatch& dot) { return std::stod(dot[1]) <= kRightEdge; }));
+}
+
+// Of scattered points each is a line of its own; lines past the fourth are dashed.
+TEST(Drawing, OfFlatnessHasEveryPoint) {
+  struct Case {
+    const char* name;
+    std::size_t lines;
+    std::size_t points_each;
+    const char* title;
+  };
+  for (const Case& c :
+       {Case{"scattered", 16, 1, "over X and Y"}, Case{"ten lines", 10, 2, "along X"}}) {
+    SCOPED_TRACE(c.name);
+    std::string rows = "x,y,z\n";
+    for (std::size_t i = 0; i < c.lines * c.points_each; ++i) {
+      rows += fmt::format("{},{},{}\n", 7 * i % 19, 10 * (i / c.points_each),
+                          0.001 * static_cast<double>(i % 3));
+    }
+    TemporaryFolder folder;
+    cli::EvaluateOptions options;
+    options.kind = "flatness";
+    options.svg = folder.path("drawing.svg");
+    ASSERT_EQ(testing::evaluate_text(rows, options).exit_code, 0);
+    const std::string svg = testing::text_of(options.svg);
+    EXPECT_EQ(dots_of(svg), c.lines * c.points_each);
+    EXPECT_NE(svg.find(c.title), std::string::npos);
+    EXPECT_EQ(svg.find("2 more lines") != std::string::npos, c.lines == 10);
+  }
+}
+
 /// The Latin words of a drawing's texts that are neither units nor names of results.
 std::vector<std::string> english_of(const std::string& svg) {
   static const std::regex kText("<(?:text|title)[^>]*>([^<]*)<");

@@ -81,12 +81,12 @@ TEST_F(EvaluationLimits, LetPassWhatKeepsThem) {
   EXPECT_EQ(output.errors, "") << "no progress where there is no terminal";
 }
 
-// What a hundred thousand lines of one point each would draw is some 20 MB: it is broken off, and
+// What fifty thousand lines of two points each would draw is some 20 MB: it is broken off, and
 // nothing is left of it.
 TEST_F(EvaluationLimits, EndADrawingAndADocumentAsTheyGrow) {
   std::string text = "x,y,z\n";
   for (int i = 0; i < 100'000; ++i) {
-    text += fmt::format("{},{},{}\n", i % 317, i, 1e-4 * ((i * 7919) % 1000));
+    text += fmt::format("{},{},{}\n", i % 317, i / 2, 1e-4 * ((i * 7919) % 1000));
   }
   const std::string file = folder_.write("flat.csv", text);
   for (const auto& [option, name] :

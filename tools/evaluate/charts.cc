@@ -1,10 +1,12 @@
 #include "tools/evaluate/charts.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,7 +59,17 @@ std::string legend_name(const std::string& curve, plot::Language language) {
       {"motion", plot::Word::Motion}, {"work", plot::Word::Work}, {"across", plot::Word::Across}};
   const auto* const known =
       std::ranges::find(kNames, curve, &std::pair<std::string_view, plot::Word>::first);
-  return known == std::end(kNames) ? curve : std::string(text_of(known->second, language));
+  if (known != std::end(kNames)) {
+    return std::string(text_of(known->second, language));
+  }
+  constexpr std::string_view kLine = "y_";
+  double y = 0.0;
+  if (curve.starts_with(kLine) &&
+      std::from_chars(curve.data() + kLine.size(), curve.data() + curve.size(), y).ec ==
+          std::errc()) {
+    return fmt::format("y = {} mm", std::round(y * kUmPerMm) / kUmPerMm + 0.0);
+  }
+  return curve;
 }
 
 }  // namespace
@@ -90,7 +102,7 @@ std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
     }
     plot::CurveTrace trace = trace_of(curve);
     const bool is_second_row = traces.size() / kColours % 2 != 0;
-    trace.style = is_second_row ? plot::CurveStyle::Dashed : plot::CurveStyle::Marked;
+    trace.style = is_second_row ? plot::CurveStyle::DashedMarked : plot::CurveStyle::Marked;
     trace.colour = traces.size() % kColours;
     trace.name = traces.size() < kNamed ? legend_name(curve.name, request.language) : std::string();
     traces.push_back(std::move(trace));
@@ -106,6 +118,46 @@ std::string deviation_chart(const Evaluation& evaluation, const ChartWords& word
   chart.x_label = text_of(words.x_label, language);
   chart.y_label = text_of(plot::Word::DeviationUm, language);
   chart.traces = deviation_traces(evaluation.curves, request);
+  if (chart.traces.size() > kNamed) {
+    chart.facts.push_back(said(language, plot::Word::LinesWithoutName,
+                               fmt::arg("count", chart.traces.size() - kNamed)));
+  }
+  return plot::draw(chart);
+}
+
+std::string deviation_map(const Evaluation& evaluation, const std::vector<MapPoint>& points,
+                          const Request& request) {
+  constexpr double kLeast = 1.5;    // px, radius of a point that does not deviate
+  constexpr double kLargest = 9.0;  // px
+  const plot::Language language = request.language;
+  double largest = 0.0;
+  for (const MapPoint& point : points) {
+    largest = std::max(largest, std::abs(point.deviation));
+  }
+  plot::CurvePlot chart = chart_of(evaluation, request);
+  chart.title = text_of(plot::Word::TitleFlatnessMap, language);
+  chart.x_label = text_of(plot::Word::PlaceX, language);
+  chart.y_label = text_of(plot::Word::PlaceY, language);
+  chart.has_equal_scales = true;
+  chart.traces = {
+      {std::string(text_of(plot::Word::AbovePlane, language)), {}, plot::CurveStyle::Dots, 0},
+      {std::string(text_of(plot::Word::BelowPlane, language)), {}, plot::CurveStyle::Dots, 1}};
+  for (const MapPoint& point : points) {
+    plot::CurveTrace& trace = chart.traces[point.deviation < 0.0 ? 1 : 0];
+    const double share = largest > 0.0 ? std::abs(point.deviation) / largest : 0.0;
+    trace.points.push_back({point.x, point.y});
+    trace.radii.push_back(std::max(kLeast, kLargest * std::sqrt(share)));
+  }
+  chart.facts.push_back(said(language, plot::Word::LargestDot,
+                             fmt::arg("amount", fmt::format("{:.3g}", kUmPerMm * largest))));
+  std::size_t drawn = 0;
+  for (const plot::CurveTrace& trace : chart.traces) {
+    drawn += plot::shown_points(trace.radii).size();
+  }
+  if (drawn < points.size()) {
+    chart.facts.push_back(said(language, plot::Word::DotsDrawn, fmt::arg("drawn", drawn),
+                               fmt::arg("all", points.size())));
+  }
   return plot::draw(chart);
 }
 

@@ -107,6 +107,21 @@ std::vector<Curve> lines_of(const Points& points, const Eigen::VectorXd& deviati
   return curves;
 }
 
+/// Lines along x where points stand in lines, else a map: a line of one point shows nothing.
+std::string drawing_of(const Points& points, const Eigen::VectorXd& deviations,
+                       const Evaluation& evaluation, const Request& request) {
+  const auto count = static_cast<std::size_t>(points.rows());
+  if (2 * evaluation.curves.size() <= count) {
+    return deviation_chart(evaluation, {plot::Word::TitleFlatness, plot::Word::PlaceX}, request);
+  }
+  std::vector<MapPoint> seen;
+  seen.reserve(count);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    seen.push_back({points(i, 0), points(i, 1), deviations[i]});
+  }
+  return deviation_map(evaluation, seen, request);
+}
+
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Request& request) {
@@ -132,8 +147,7 @@ Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Requ
                         {"flatness_minimum_zone", um(flat->zones.minimum_zone), "um"}};
   evaluation.curves = lines_of(points.value(), flat->deviations, file);
   if (request.wants_drawing) {
-    evaluation.svg =
-        deviation_chart(evaluation, {plot::Word::TitleFlatness, plot::Word::PlaceX}, request);
+    evaluation.svg = drawing_of(points.value(), flat->deviations, evaluation, request);
   }
   return evaluation;
 }

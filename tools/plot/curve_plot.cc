@@ -84,7 +84,7 @@ Ranges ranges_of(const CurvePlot& plot) {
 void draw_frame(Svg& svg, const CurvePlot& plot, const Scale& x, const Scale& y) {
   constexpr Frame kFrame{kLeftEdge, kRightEdge, kTopEdge, kBottomEdge};
   kFrame.draw_grid(svg, x, y, {0.0, 0.0});
-  if (y.low() < 0.0 && y.high() > 0.0) {
+  if (!plot.has_equal_scales && y.low() < 0.0 && y.high() > 0.0) {
     svg.line({kLeftEdge, y.at(0.0)}, {kRightEdge, y.at(0.0)}, "nominal");
   }
   kFrame.draw_border(svg);
@@ -92,12 +92,32 @@ void draw_frame(Svg& svg, const CurvePlot& plot, const Scale& x, const Scale& y)
   svg.text_upwards({kLeftEdge - 66.0, 0.5 * (kTopEdge + kBottomEdge)}, plot.y_label);
 }
 
+constexpr double kMark = 2.5;  // px, radius
+
+bool is_marked(const CurveTrace& trace) {
+  return trace.style == CurveStyle::Marked || trace.style == CurveStyle::DashedMarked;
+}
+
+std::string fill_of(const CurveTrace& trace) {
+  return fmt::format("fill{}", trace.colour);
+}
+
 std::string style_of(const CurveTrace& trace) {
-  return fmt::format("way {}line{}", trace.style == CurveStyle::Dashed ? "dashed " : "",
-                     trace.colour);
+  const bool is_dashed =
+      trace.style == CurveStyle::Dashed || trace.style == CurveStyle::DashedMarked;
+  return fmt::format("way {}line{}", is_dashed ? "dashed " : "", trace.colour);
+}
+
+void draw_dots(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& y) {
+  for (const std::size_t i : shown_points(trace.radii)) {
+    svg.dot({x.at(trace.points[i][0]), y.at(trace.points[i][1])}, trace.radii[i], fill_of(trace));
+  }
 }
 
 void draw_trace(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& y) {
+  if (trace.style == CurveStyle::Dots) {
+    return draw_dots(svg, trace, x, y);
+  }
   std::vector<double> heights;
   heights.reserve(trace.points.size());
   for (const auto& point : trace.points) {
@@ -109,9 +129,9 @@ void draw_trace(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& 
   }
   svg.way(shown, style_of(trace));
   constexpr std::size_t kMostMarks = 200;
-  if (trace.style == CurveStyle::Marked && shown.size() <= kMostMarks) {
+  if (is_marked(trace) && shown.size() <= kMostMarks) {
     for (const Eigen::Vector2d& at : shown) {
-      svg.dot(at, 2.5, fmt::format("fill{}", trace.colour));
+      svg.dot(at, kMark, fill_of(trace));
     }
   }
 }
@@ -129,9 +149,9 @@ std::string draw(const CurvePlot& plot) {
   for (const CurveTrace& trace : plot.traces) {
     draw_trace(svg, trace, x, y);
     if (!trace.name.empty()) {
-      legend.line(
-          style_of(trace), trace.name,
-          trace.style == CurveStyle::Marked ? fmt::format("fill{}", trace.colour) : std::string());
+      const bool is_dotted = trace.style == CurveStyle::Dots;
+      legend.line(is_dotted ? std::string() : style_of(trace), trace.name,
+                  is_dotted || is_marked(trace) ? fill_of(trace) : std::string());
     }
   }
   legend.skip(12.0);

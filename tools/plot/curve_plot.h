@@ -10,14 +10,15 @@
 
 namespace g31::plot {
 
-enum class CurveStyle : std::uint8_t { Line, Dashed, Marked };
+enum class CurveStyle : std::uint8_t { Line, Dashed, Marked, DashedMarked, Dots };
 
-/// Points in their order, joined.
+/// Points in their order, joined but for Dots.
 struct CurveTrace {
   std::string name;  ///< "": not in the legend
   std::vector<std::array<double, 2>> points;
   CurveStyle style = CurveStyle::Line;
-  std::size_t colour = 0;  ///< 0 to 3
+  std::size_t colour = 0;          ///< 0 to 3
+  std::vector<double> radii = {};  ///< px, of Dots
 };
 
 /// Curves over an axis.

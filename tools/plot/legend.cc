@@ -5,7 +5,9 @@ namespace g31::plot {
 void Legend::line(std::string_view style, std::string_view name, std::string_view mark) {
   constexpr double kLength = 28.0;
   const double middle = row_ - 4.0;
-  svg_.line({left_, middle}, {left_ + kLength, middle}, style);
+  if (!style.empty()) {
+    svg_.line({left_, middle}, {left_ + kLength, middle}, style);
+  }
   if (!mark.empty()) {
     svg_.dot({left_ + 0.5 * kLength, middle}, 2.5, mark);
   }
