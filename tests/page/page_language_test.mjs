@@ -10,7 +10,7 @@ after(() => browser.close());
 
 const UNITS = ['mm', 'µm', 'um', 'deg', 'min', 'ms', 'mm/min', 'µm/m'];
 // Names of things that are called so in Japanese as well, and letters that stand for quantities.
-const NAMES = ['g31', 'SHA-256', 'WebGL', 'MEAS', 'MSG', 'XY', 'XZ', 'YZ', '--expect', '--print'];
+const NAMES = ['Ctrl', 'g31', 'SHA-256', 'WebGL', 'MEAS', 'MSG', 'XY', 'XZ', 'YZ', '--expect', '--print'];
 const SHAPES = [
   /^[A-Z]{1,8}[\d_]+(\.\d+)?$/, // G31, O9010, PRB301, CYCLE977
   /^[#$_]/, // variables
