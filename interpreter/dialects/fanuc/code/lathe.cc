@@ -151,12 +151,38 @@ struct MillSigns {
   }
 };
 
-/// Whether a block may show a sign at all: lines of points hardly do.
-bool has_telling_letter(Words words) {
-  return std::ranges::any_of(words, [](const Word& word) {
-    return word.letter == 'G' || word.letter == 'T' || word.letter == 'U' || word.letter == 'W' ||
-           word.letter == 'M' || word.letter == 'Y';
-  });
+/// Whether a word may be a sign or speak for a mill.
+/// @param is_milled  is known already
+bool may_tell(const Word& word, bool is_milled) {
+  constexpr double kArc = 3.0;  // G00 to G03 are no signs; a centre K is
+  switch (word.letter) {
+    case 'G':
+      return !is_plain(word) || word.number > kArc;
+    case 'Y':
+      return !is_milled;
+    case 'K':
+    case 'M':
+    case 'T':
+    case 'U':
+    case 'W':
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The same of a block: lines and arcs of points and calls, of which long programs are made, do
+/// not.
+bool may_tell(Words words, bool is_milled) {
+  constexpr double kMacroCall = 65.0;  // its words are arguments
+  bool tells = false;
+  for (const Word& word : words) {
+    if (word.letter == 'G' && word.number == kMacroCall) {
+      return false;
+    }
+    tells = tells || may_tell(word, is_milled);
+  }
+  return tells;
 }
 
 /// The first block of each kind of sign in a program.
@@ -174,7 +200,7 @@ Found look_through(const CompiledProgram& program) {
     }
     const syntax::Block& block = program.tree->blocks[step.block];
     const Words words = Words(program.tree->words).subspan(block.first_word, block.word_count);
-    if (!has_telling_letter(words)) {
+    if (!may_tell(words, found.mill.is_milled)) {
       continue;
     }
     calls_each_block = (calls_each_block || find_code(words, 'G', {66.1}) != nullptr) &&
