@@ -263,8 +263,6 @@ TEST(CheckWords, WhatMayBeRightPassesWithoutAWord) {
   for (const char* const block : {
            "G100 M12.5 T1.5 F-9.",  // arguments, where the sheet says so
            "G360",
-           "G10.6 X1.",  // options that g31 has not
-           "G72.1 P2 X0 Y0 L3 R30. T-5",
            "G10 L75 P1\nG11",
            "G10 L99 P1 R1",
            "M6 T1 D25.5",

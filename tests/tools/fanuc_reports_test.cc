@@ -102,9 +102,9 @@ TEST(LatheProgram, ShowsTwoSignsOfItsSeries) {
 TEST(LatheProgram, IsAnyWhereParametersSayThatXIsADiameter) {
   const char* const program = "O1\nG0 X1.\nM30\n";
   for (const char* const entry : {"\"1006.3\" = 1", "\"1006.X\" = 1000"}) {
-    EXPECT_TRUE(mentions(run_with(program, fmt::format("[parameters]\n{}\n", entry)),
-                         "parameter 1006.3, DIA, of X"))
-        << entry;
+    const RunOutput run = run_with(program, fmt::format("[parameters]\n{}\n", entry));
+    EXPECT_TRUE(mentions(run, "PRB003")) << entry;
+    EXPECT_NE(run.errors.find("parameter 1006.3, DIA, of X"), std::string::npos) << run.errors;
   }
   EXPECT_FALSE(mentions(run_with(program, "[parameters]\n\"1006.Z\" = 1000\n"), "PRB003"));
 }

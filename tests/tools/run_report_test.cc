@@ -125,9 +125,12 @@ TEST_F(Report, OfAFileOfReadingsHasItsResults) {
 }
 
 TEST_F(Report, OfReadingsNamesTheFileOfDiameters) {
-  const std::string rows =
-      folder_.write("rows.csv", "K,theta,A,B\n0,0,0,0\n1,0,0,0\n0,180,0,0\n1,180,0,0\n");
-  const std::string ends = folder_.write("ends.csv", "K,d\n0,40\n2,40\n");
+  std::string shaft = "K,theta,A,B\n";
+  for (int theta = 0; theta < 360; theta += 45) {
+    shaft += fmt::format("0,{0},0,0\n1,{0},0,0\n2,{0},0,0\n3,{0},0,0\n", theta);
+  }
+  const std::string rows = folder_.write("rows.csv", shaft);
+  const std::string ends = folder_.write("ends.csv", "K,d\n0,40\n3,40\n");
   g31({"evaluate", "cylindricity", rows, "--diameters", ends, "--step", "10", "--report", path()});
   const std::string page = text_in(path());
   EXPECT_TRUE(has(page, "rows.csv</code></td><td class=\"hash\">")) << page;

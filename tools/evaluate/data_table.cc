@@ -256,7 +256,7 @@ class TableReader {
       return data_error(DataErrorId::NoNumber, file_, where(),
                         {column.name, text.empty() ? "there is nothing" : text});
     }
-    if (may_have_comma && !is_as_before(text)) {
+    if (!is_as_before(text)) {
       return data_error(DataErrorId::NoNumber, file_, where(),
                         {column.name, fmt::format("{} has another decimal mark than a number "
                                                   "before, and may mean a thousand times that",

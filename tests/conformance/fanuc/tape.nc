@@ -60,7 +60,7 @@ O1
 G10L85P500(40080000)
 M30
 %
-(EXPECT ALARM 1144 AT 3)
+(EXPECT ALARM 1144 AT 4)
 
 (CASE folders before the programs that lie in them)
 (SOURCE files ALL-FLDR.TXT of FANUC 30i and 0i-F)
@@ -87,4 +87,4 @@ O1
 &X=1
 M30
 %
-(EXPECT ALARM 4 AT 3)
+(EXPECT ALARM 4 AT 4)
