@@ -125,7 +125,7 @@ TEST(DataFiles, AreRefusedWithTheLine) {
       {"a missing column, one with a comma in its name", "t,X,\"Y, mm\"\n1,2,3\n",
        "there is no column Y; the columns are t, X, \"Y, mm\" [DAT103]"},
       {"a comma without quotes", "t,X,Y\n0,\"1,5\",2\n0.1,1.5,2\n",
-       "data.csv:3:5: error: X is not a number: 1.5 has another decimal mark"},
+       "data.csv:3:1: error: t is not a number: 0.1 has another decimal mark"},
       {"a column twice", "t,X,Y,X\n1,2,3,4\n", "data.csv:1:1: error: the column X appears twice"},
       {"two separators", "t;X,Y\n1;2,3\n",
        "data.csv:1:1: error: the column names contain commas and semicolons"},

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
@@ -92,9 +93,15 @@ TEST(SetupHostile, Utf16IsToldAsSuch) {
 TEST(SetupHostile, PathsWithTheCharacter0AreRefused) {
   for (const std::string_view table : {"[control]\nvariables_file", "[control]\nfiles",
                                        "[machine]\nfile", "[[part]]\nname = \"p\"\nfile"}) {
-    const std::string key(table);
-    EXPECT_EQ(read_hostile(key + " = \"a\\u0000b\"\n"), read_hostile(key + " = \"a\"\n") + 1)
-        << table;
+    ErrorList list;
+    const auto document =
+        parse_document("sheet.toml", fmt::format("{} = \"a\\u0000b\"\n", table), 0);
+    ASSERT_TRUE(document.ok()) << table;
+    static_cast<void>(check_sheet(*document.value(), list));
+    const SetupErrors errors = list.in_file_order();
+    ASSERT_EQ(errors.size(), 1U) << table;
+    EXPECT_NE(render(errors.front()).find("a path without the character 0"), std::string::npos)
+        << render(errors.front());
   }
 }
 
