@@ -3,33 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/control_run.h"
+#include "tests/support/last_moves.h"
 
 namespace g31::fanuc::inverse_time_test {
 namespace {
 
 using testing::ControlRun;
+using testing::expect_last_moves;
+using testing::LastMoveOn;
 using Lines = std::vector<std::string>;
 
-struct Case {
-  const char* name;
-  const char* control;
-  const char* program;
-  const char* last;  ///< that the machine was asked for
-};
-
-void expect_last(std::span<const Case> cases, const runtime::ControlSetup& setup = {}) {
-  for (const Case& c : cases) {
-    SCOPED_TRACE(c.name);
-    ControlRun run(c.control, c.program, setup);
-    EXPECT_EQ(run.alarm(), 0);
-    ASSERT_FALSE(run.machine().log().empty());
-    EXPECT_EQ(run.machine().log().back(), c.last);
-  }
-}
-
 TEST(InverseTime, FTimesTheWayIsTheFeed) {
-  constexpr Case kCases[] = {
+  constexpr LastMoveOn kCases[] = {
       {"50 mm six times in a minute", "fanuc-16i", "G93G1X30.Y40.F6.",
        "move 30.000 40.000 0.000 F300"},
       {"from where the block before ended", "fanuc-30i", "G93G1X30.F2.\nX40.F3.",
@@ -47,11 +32,11 @@ TEST(InverseTime, FTimesTheWayIsTheFeed) {
       {"G31 goes its whole way in 1/F minutes", "haas", "G93G31X50.F2.",
        "skip 50.000 0.000 0.000 F100"},
   };
-  expect_last(kCases);
+  expect_last_moves(kCases);
 }
 
 TEST(InverseTime, OfAnArcIsTheFeedOverTheRadiusOrTheTime) {
-  constexpr Case kCases[] = {
+  constexpr LastMoveOn kCases[] = {
       {"the radius, 10", "fanuc-16i", "G93G2X10.Y10.R10.F5.",
        "arc cw 10.000 10.000 0.000 centre X10.000 Y0.000 F50"},
       {"a full circle as well", "meldas", "G93G3I10.F5.",
@@ -63,7 +48,7 @@ TEST(InverseTime, OfAnArcIsTheFeedOverTheRadiusOrTheTime) {
       {"a helix along its plane", "haas", "G93G3I10.Z7.F5.",
        "arc ccw 0.000 0.000 7.000 centre X10.000 Y0.000 F314.159"},
   };
-  expect_last(kCases);
+  expect_last_moves(kCases);
 }
 
 TEST(InverseTime, CountsForFeedsOnly) {
@@ -82,9 +67,9 @@ TEST(InverseTime, CountsForFeedsOnly) {
 TEST(InverseTime, OverrideChangesTheTime) {
   runtime::ControlSetup setup;
   setup.feed_switches.override_percent = 50.0;
-  constexpr Case kCases[] = {
+  constexpr LastMoveOn kCases[] = {
       {"half as fast", "fanuc-16i", "G93G1X50.F2.", "move 50.000 0.000 0.000 F50"}};
-  expect_last(kCases, setup);
+  expect_last_moves(kCases, setup);
 }
 
 /// The example of the M700V programming manual, 7.5, with its table: beside the contour the tool

@@ -3,33 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/control_run.h"
+#include "tests/support/last_moves.h"
 
 namespace g31::fanuc::surface_speed_test {
 namespace {
 
 using testing::ControlRun;
-
-struct Case {
-  const char* name;
-  const char* control;
-  const char* program;
-  const char* last;  ///< that the machine was asked for
-};
-
-void expect_last(std::span<const Case> cases, const runtime::ControlSetup& setup = {}) {
-  for (const Case& c : cases) {
-    SCOPED_TRACE(c.name);
-    ControlRun run(c.control, c.program, setup);
-    EXPECT_EQ(run.alarm(), 0);
-    ASSERT_FALSE(run.machine().log().empty());
-    EXPECT_EQ(run.machine().log().back(), c.last);
-  }
-}
+using testing::expect_last_moves;
+using testing::LastMoveOn;
 
 /// At 100 m/min a turn takes 2 pi x / 100000 minutes, so a feed of 0.2 a turn is 20000 / (2 pi x).
 TEST(SurfaceSpeed, FeedAlongAWayIsThatOfItsTime) {
-  constexpr Case kCases[] = {
+  constexpr LastMoveOn kCases[] = {
       {"at x = 50 throughout", "fanuc-16i", "G0X50.\nG95G96S100G1Y10.F.2",
        "move 50.000 10.000 0.000 F63.662"},
       {"from 50 to 10 as at 30", "fanuc-16i", "G0X50.\nG95G96S100G1X10.F.2",
@@ -52,11 +37,11 @@ TEST(SurfaceSpeed, FeedAlongAWayIsThatOfItsTime) {
       {"Q of G92 is the lowest speed of a MELDAS", "meldas",
        "G0X100.\nG92S5000Q400\nG95G96S100G1Y10.F.2", "move 100.000 10.000 0.000 F80"},
   };
-  expect_last(kCases);
+  expect_last_moves(kCases);
 }
 
 TEST(SurfaceSpeed, G97KeepsTheSpeedUntilItsS) {
-  constexpr Case kCases[] = {
+  constexpr LastMoveOn kCases[] = {
       {"318.31 rev/min as at 50", "fanuc-16i", "G0X50.\nG96S100\nG97\nG0X10.\nG95G1Y10.F.2",
        "move 10.000 10.000 0.000 F63.662"},
       {"its own S", "fanuc-16i", "G0X50.\nG96S100\nG97S200\nG95G1X10.F.2",
@@ -66,7 +51,7 @@ TEST(SurfaceSpeed, G97KeepsTheSpeedUntilItsS) {
       {"S of G92 is no speed", "fanuc-16i", "S200\nG92S100\nG95G1X10.F.2",
        "move 10.000 0.000 0.000 F40"},
   };
-  expect_last(kCases);
+  expect_last_moves(kCases);
   ControlRun modal("fanuc-16i", "G96S100\n#100=#4013\nG97\n#101=#4013");
   EXPECT_EQ(modal.value("#100"), 96.0);
   EXPECT_EQ(modal.value("#101"), 97.0);
@@ -75,20 +60,20 @@ TEST(SurfaceSpeed, G97KeepsTheSpeedUntilItsS) {
 TEST(SurfaceSpeed, ParametersLimitIt) {
   runtime::ControlSetup setup;
   setup.parameters = {{"3772", 100.0}};
-  constexpr Case kHighest[] = {
+  constexpr LastMoveOn kHighest[] = {
       {"3772 with G97", "fanuc-16i", "G95S500G1X10.F.2", "move 10.000 0.000 0.000 F20"},
       {"3772 with G96", "fanuc-16i", "G0X1.\nG95G96S100G1Y10.F.2", "move 1.000 10.000 0.000 F20"}};
-  expect_last(kHighest, setup);
+  expect_last_moves(kHighest, setup);
   setup.parameters = {{"3771", 400.0}};
-  constexpr Case kLowest[] = {
+  constexpr LastMoveOn kLowest[] = {
       {"3771", "fanuc-16i", "G0X100.\nG95G96S100G1Y10.F.2", "move 100.000 10.000 0.000 F80"}};
-  expect_last(kLowest, setup);
+  expect_last_moves(kLowest, setup);
 }
 
 TEST(SurfaceSpeed, AxisOfTheRadius) {
   runtime::ControlSetup setup;
   setup.parameters = {{"3770", 2.0}, {"1181", 2.0}};
-  constexpr Case kCases[] = {
+  constexpr LastMoveOn kCases[] = {
       {"3770: Y, 20 from its origin", "fanuc-16i", "G0X50.Y20.\nG95G96S100G1X40.F.2",
        "move 40.000 20.000 0.000 F159.155"},
       {"P1: X, from 50 to 40", "fanuc-16i", "G0X50.Y20.\nG95G96P1S100G1X40.F.2",
@@ -98,11 +83,11 @@ TEST(SurfaceSpeed, AxisOfTheRadius) {
       {"1181 on a MELDAS", "meldas", "G0X50.Y20.\nG95G96S100G1X40.F.2",
        "move 40.000 20.000 0.000 F159.155"},
   };
-  expect_last(kCases, setup);
-  constexpr Case kWithout[] = {{"without the parameter X, P or not", "fanuc-16i",
-                                "G0X50.Y20.\nG95G96P2S100G1X40.F.2",
-                                "move 40.000 20.000 0.000 F70.7355"}};
-  expect_last(kWithout);
+  expect_last_moves(kCases, setup);
+  constexpr LastMoveOn kWithout[] = {{"without the parameter X, P or not", "fanuc-16i",
+                                      "G0X50.Y20.\nG95G96P2S100G1X40.F.2",
+                                      "move 40.000 20.000 0.000 F70.7355"}};
+  expect_last_moves(kWithout);
   EXPECT_EQ(ControlRun("fanuc-16i", "G96P9S100", setup).alarm(), 190);
   EXPECT_EQ(ControlRun("fanuc-16i", "G96P6S100", setup).alarm(), 190);
   EXPECT_EQ(ControlRun("meldas", "G96P9S100", setup).alarm(), 133);

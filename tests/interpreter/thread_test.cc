@@ -3,31 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/control_run.h"
+#include "tests/support/last_moves.h"
 
 namespace g31::fanuc::thread_test {
 namespace {
 
 using testing::ControlRun;
-
-struct Case {
-  const char* name;
-  const char* program;
-  const char* last;  ///< that the machine was asked for
-};
-
-void expect_last(std::span<const Case> cases, const runtime::ControlSetup& setup = {}) {
-  for (const Case& c : cases) {
-    SCOPED_TRACE(c.name);
-    ControlRun run("fanuc-16i", c.program, setup);
-    EXPECT_EQ(run.alarm(), 0);
-    ASSERT_FALSE(run.machine().log().empty());
-    EXPECT_EQ(run.machine().log().back(), c.last);
-  }
-}
+using testing::expect_last_moves;
+using testing::LastMove;
 
 TEST(Thread, GoesTheLeadInATurn) {
-  constexpr Case kCases[] = {
+  constexpr LastMove kCases[] = {
       {"500 turns of 1.5 mm", "S500\nG33Z-10.F1.5", "move 0.000 0.000 -10.000 F750"},
       {"along the axis that moves farthest: 750 by the root of 1.25", "S500\nG33X5.Z-10.F1.5",
        "move 5.000 0.000 -10.000 F838.525"},
@@ -39,7 +25,7 @@ TEST(Thread, GoesTheLeadInATurn) {
       {"at constant surface speed, 318.31 turns", "G0X50.\nG96S100\nG33Z-10.F2.",
        "move 50.000 0.000 -10.000 F636.62"},
   };
-  expect_last(kCases);
+  expect_last_moves(kCases);
   ControlRun modal("fanuc-16i", "S500\nG33Z-10.F1.5\n#100=#4001");
   EXPECT_EQ(modal.value("#100"), 33.0);
 }
@@ -47,9 +33,9 @@ TEST(Thread, GoesTheLeadInATurn) {
 TEST(Thread, IsNotOverridden) {
   runtime::ControlSetup setup;
   setup.feed_switches.override_percent = 50.0;
-  constexpr Case kCases[] = {{"100 %", "S500\nG33Z-10.F1.5", "move 0.000 0.000 -10.000 F750"},
-                             {"a line is", "G1Z-10.F750", "move 0.000 0.000 -10.000 F375"}};
-  expect_last(kCases, setup);
+  constexpr LastMove kCases[] = {{"100 %", "S500\nG33Z-10.F1.5", "move 0.000 0.000 -10.000 F750"},
+                                 {"a line is", "G1Z-10.F750", "move 0.000 0.000 -10.000 F375"}};
+  expect_last_moves(kCases, setup);
 }
 
 TEST(Thread, NeedsALeadAndASpeed) {

@@ -2,31 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/control_run.h"
+#include "tests/support/last_moves.h"
 
 namespace g31::fanuc::transforms_test {
 namespace {
 
 using testing::ControlRun;
-
-struct Case {
-  const char* name;
-  const char* program;
-  const char* last;  ///< what the machine was asked for last
-};
-
-void expect_last_moves(std::span<const Case> cases, const runtime::ControlSetup& setup = {}) {
-  for (const Case& c : cases) {
-    SCOPED_TRACE(c.name);
-    ControlRun run("fanuc-16i", c.program, setup);
-    EXPECT_EQ(run.alarm(), 0);
-    ASSERT_FALSE(run.machine().log().empty());
-    EXPECT_EQ(run.machine().log().back(), c.last);
-  }
-}
+using testing::expect_last_moves;
+using testing::LastMove;
 
 TEST(Rotation, MovesOnTurnedAxes) {
-  const Case kCases[] = {
+  const LastMove kCases[] = {
       {"about the origin", "G68X0Y0R90.\nG0X10.Y0", "move 0.000 10.000 0.000 rapid"},
       {"about a point", "G68X5.Y5.R90.\nG0X10.Y5.", "move 5.000 10.000 0.000 rapid"},
       {"a bare angle counts thousandths of a degree", "G68X0Y0R90000\nG0X10.Y0",
@@ -59,7 +45,7 @@ TEST(Rotation, MovesOnTurnedAxes) {
 TEST(Rotation, AnglesAddUnderG91WhenTheParameterSaysSo) {
   runtime::ControlSetup setup;
   setup.parameters["5400.0"] = 1;
-  const Case kCases[] = {
+  const LastMove kCases[] = {
       {"G91 adds", "G68X0Y0R60.\nG91G68R30.\nG90G0X10.Y0", "move 0.000 10.000 0.000 rapid"},
       {"G90 replaces", "G68X0Y0R60.\nG68X0Y0R90.\nG0X10.Y0", "move 0.000 10.000 0.000 rapid"},
   };
@@ -69,12 +55,12 @@ TEST(Rotation, AnglesAddUnderG91WhenTheParameterSaysSo) {
 TEST(Rotation, TakesItsUsualAngleFromAParameter) {
   runtime::ControlSetup setup;
   setup.parameters["5410"] = 90.0;
-  const Case kCases[] = {{"no R", "G68X0Y0\nG0X10.Y0", "move 0.000 10.000 0.000 rapid"}};
+  const LastMove kCases[] = {{"no R", "G68X0Y0\nG0X10.Y0", "move 0.000 10.000 0.000 rapid"}};
   expect_last_moves(kCases, setup);
 }
 
 TEST(Scaling, EnlargesAboutItsCentre) {
-  const Case kCases[] = {
+  const LastMove kCases[] = {
       {"about the origin", "G51X0Y0Z0P2000\nG0X10.Y5.Z1.", "move 20.000 10.000 2.000 rapid"},
       {"about a point", "G51X10.Y0Z0P500\nG0X20.Y8.", "move 15.000 4.000 0.000 rapid"},
       {"about where the tool stands", "G0X10.\nG51P2000\nG0X15.", "move 20.000 0.000 0.000 rapid"},
@@ -96,7 +82,7 @@ TEST(Scaling, ByAxisWhenTheParameterSaysSo) {
   runtime::ControlSetup setup;
   setup.parameters["5400.6"] = 1;
   setup.parameters["5421.Z"] = 3000;
-  const Case kCases[] = {
+  const LastMove kCases[] = {
       {"each axis its own", "G51X0Y0Z0I2000J500\nG0X10.Y10.Z1.", "move 20.000 5.000 3.000 rapid"},
       {"below 0 mirrors, and turns arcs round", "G51X0Y0Z0I-1000J1000K1000\nG2X10.Y0I5.F100",
        "arc ccw -10.000 0.000 0.000 centre X-5.000 Y0.000 F100"},
@@ -132,7 +118,7 @@ TEST(Scaling, RefusesFactorsThatFlatten) {
 }
 
 TEST(Mirror, TurnsSidesAndArcsRound) {
-  const Case kCases[] = {
+  const LastMove kCases[] = {
       {"at the origin", "G51.1X0\nG0X10.Y5.", "move -10.000 5.000 0.000 rapid"},
       {"at a coordinate", "G51.1X20.\nG0X15.", "move 25.000 0.000 0.000 rapid"},
       {"two axes", "G51.1X0Y0\nG0X1.Y2.", "move -1.000 -2.000 0.000 rapid"},
@@ -154,7 +140,7 @@ TEST(Mirror, TurnsSidesAndArcsRound) {
 }
 
 TEST(Polar, TakesRadiusAndAngle) {
-  const Case kCases[] = {
+  const LastMove kCases[] = {
       {"radius and angle", "G16\nG0X10.Y30.", "move 8.660 5.000 0.000 rapid"},
       {"the radius stays", "G16\nG0X10.Y0\nY90.", "move 0.000 10.000 0.000 rapid"},
       {"the angle stays", "G16\nG0X10.Y90.\nX4.", "move 0.000 4.000 0.000 rapid"},

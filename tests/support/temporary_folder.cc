@@ -87,4 +87,14 @@ std::vector<std::string> TemporaryFolder::names() const {
   return found;
 }
 
+std::vector<std::string> places(const std::string& text, const TemporaryFolder& folder) {
+  std::vector<std::string> found;
+  const std::string prefix = folder.path("");
+  for (std::size_t at = text.find(prefix); at != text.npos; at = text.find(prefix, at + 1)) {
+    const std::size_t begin = at + prefix.size();
+    found.push_back(text.substr(begin, text.find('\n', begin) - begin));
+  }
+  return found;
+}
+
 }  // namespace g31::testing

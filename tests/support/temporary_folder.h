@@ -24,4 +24,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// The lines of a text that begin with a place in the folder, without the folder.
+std::vector<std::string> places(const std::string& text, const TemporaryFolder& folder);
+
 }  // namespace g31::testing

@@ -1,29 +1,22 @@
 // What `g31 check` says of G codes that a run ends at or passes over.
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/captured.h"
-#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 #include "tools/cli/check_command.h"
 
 namespace g31::check_codes_test {
 namespace {
 
+using testing::places;
 using testing::TemporaryFolder;
 
 testing::CommandOutput checked(const cli::CheckOptions& options) {
   return testing::captured([&] { return cli::check_command(options); });
-}
-
-/// The lines that say a place, without the folder.
-std::vector<std::string> places(const std::string& text, const TemporaryFolder& folder) {
-  std::vector<std::string> found;
-  const std::string prefix = folder.path("");
-  for (std::size_t at = text.find(prefix); at != text.npos; at = text.find(prefix, at + 1)) {
-    const std::size_t begin = at + prefix.size();
-    found.push_back(text.substr(begin, text.find('\n', begin) - begin));
-  }
-  return found;
 }
 
 TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {

@@ -15,6 +15,7 @@ namespace g31::check_command_test {
 namespace {
 
 using nlohmann::json;
+using testing::places;
 using testing::TemporaryFolder;
 
 struct CheckOutput {
@@ -32,17 +33,6 @@ CheckOutput checked_files(const std::vector<std::string>& files) {
   cli::CheckOptions options;
   options.files = files;
   return checked(options);
-}
-
-/// The lines that say a place, without the folder.
-std::vector<std::string> places(const std::string& text, const TemporaryFolder& folder) {
-  std::vector<std::string> found;
-  const std::string prefix = folder.path("");
-  for (std::size_t at = text.find(prefix); at != text.npos; at = text.find(prefix, at + 1)) {
-    const std::size_t begin = at + prefix.size();
-    found.push_back(text.substr(begin, text.find('\n', begin) - begin));
-  }
-  return found;
 }
 
 TEST(Check, SaysAllThatIsWrongInAllProgramsAtOnce) {

@@ -22,16 +22,19 @@ std::string_view without_blanks(std::string_view field) {
                              : field.substr(first, field.find_last_not_of(kBlanks) - first + 1);
 }
 
+bool has_quotes_around(std::string_view text) {
+  return text.size() >= 2 && text.front() == '"' && text.back() == '"';
+}
+
 }  // namespace
 
 bool is_quoted(std::string_view field) {
-  field = without_blanks(field);
-  return field.size() >= 2 && field.front() == '"' && field.back() == '"';
+  return has_quotes_around(without_blanks(field));
 }
 
 std::string_view bare(std::string_view field) {
   field = without_blanks(field);
-  return is_quoted(field) ? without_blanks(field.substr(1, field.size() - 2)) : field;
+  return has_quotes_around(field) ? without_blanks(field.substr(1, field.size() - 2)) : field;
 }
 
 std::size_t field_end(std::string_view line, std::size_t begin, char separator) {

@@ -33,10 +33,10 @@ constexpr Separator kSeparators[] = {{',', "commas"}, {';', "semicolons"}, {'\t'
 /// text.
 bool separates(char separator, std::string_view line) {
   const bool quotes_close = std::ranges::count(line, '"') % 2 == 0;
-  bool is_quoted = false;
+  bool is_between = false;
   for (const char c : line) {
-    is_quoted = is_quoted != (c == '"' && quotes_close);
-    if (c == separator && !is_quoted) {
+    is_between = is_between != (c == '"' && quotes_close);
+    if (c == separator && !is_between) {
       return true;
     }
   }

@@ -34,7 +34,7 @@ bool are_numbers(const Read& list, std::size_t least, std::size_t most) {
 }
 
 /// What a move or a touch says under a name; null: nothing.
-Read said(const Read& object, const char* name) {
+Read member(const Read& object, const char* name) {
   return object.value(name, Read());
 }
 
@@ -52,8 +52,8 @@ std::optional<std::string> wrong_in_move(const Read& move) {
   if (!move.is_object()) {
     return "";
   }
-  return !is_place(said(move, "to"))                              ? std::optional(".to")
-         : !said(move, "g").is_number_integer()                   ? std::optional(".g")
+  return !is_place(member(move, "to"))                            ? std::optional(".to")
+         : !member(move, "g").is_number_integer()                 ? std::optional(".g")
          : move.contains("time_s") && !move["time_s"].is_number() ? std::optional(".time_s")
                                                                   : std::nullopt;
 }
@@ -63,10 +63,10 @@ std::optional<std::string> wrong_in_touch(const Read& touch) {
   if (!touch.is_object()) {
     return "";
   }
-  return !is_place(said(touch, "latched"))           ? std::optional(".latched")
-         : !is_point_or_null(said(touch, "contact")) ? std::optional(".contact")
-         : !is_point_or_null(said(touch, "normal"))  ? std::optional(".normal")
-                                                     : std::nullopt;
+  return !is_place(member(touch, "latched"))           ? std::optional(".latched")
+         : !is_point_or_null(member(touch, "contact")) ? std::optional(".contact")
+         : !is_point_or_null(member(touch, "normal"))  ? std::optional(".normal")
+                                                       : std::nullopt;
 }
 
 /// The first value of a list that is of a wrong kind, by its place; nullopt: none is.
@@ -145,8 +145,8 @@ Json touch_of(const Read& touch, const setup::Job& job, const PartView& view) {
   const AxisPositions q_M_latched = axes_of(touch["latched"]);
   const Point ball = view.ball_at(q_M_latched);
   Json figure = {{"ball", array_of(ball)}, {"deviation", Json()}, {"angle", Json()}, {"role", ""}};
-  const Read contact = said(touch, "contact");
-  const Read normal = said(touch, "normal");
+  const Read contact = member(touch, "contact");
+  const Read normal = member(touch, "normal");
   if (!contact.is_null() && !normal.is_null() && job.probe) {
     const auto [p, n] = view.place_at(q_M_latched, point_of(contact), point_of(normal));
     const double radius = job.probe->ball_diameter_mm / 2.0;
@@ -183,7 +183,7 @@ Result<OtherRun, std::string> other_run(const std::string& document, const setup
   }
   OtherRun other;
   read.erase("counts");  // of lines the page shows those of its own run alone
-  const Read variables = said(read, "variables");
+  const Read variables = member(read, "variables");
   for (const auto& [name, value] : variables.items()) {
     if (value.is_number()) {
       other.variables[name] = value.get<double>();

@@ -43,13 +43,12 @@ bool is_tool_with_offset(const Word& word) {
          word.number >= kStation;
 }
 
-/// Whether a block calls a macro, or may where the control is set up so: its words are arguments.
+/// Whether a block may call a macro where the control is set up so, or makes later ones call: its
+/// words are arguments.
 bool may_call(Words words) {
-  constexpr double kFirstOfBuilders = 100.0;
   return std::ranges::any_of(words, [](const Word& word) {
-    return word.letter == 'G' &&
-           (!is_plain(word) || word.number >= kFirstOfBuilders || word.number == 65.0 ||
-            word.number == 66.0 || word.number == 66.1);
+    return word.letter == 'G' && (!is_plain(word) || word.number >= kFirstCallingCode ||
+                                  word.number == 66.0 || word.number == 66.1);
   });
 }
 

@@ -275,7 +275,7 @@ double counted_feed(const Control& control, const EvaluatedWord& word) {
     return word.number / control.profile.inverse_time.counts;
   }
   const bool inch = control.scale.unit == LengthUnit::Inch;
-  if (control.modal.group[Group::FeedMode].whole != 95 && !control.modal.cuts_thread()) {
+  if (!control.modal.per_revolution() && !control.modal.cuts_thread()) {
     const bool fine = control.parameters.is_on(ParameterId::FineFeed);
     const FeedCounts& counts = fine ? kFineFeedCounts : control.profile.feed_counts;
     return word.number / (inch ? counts.per_inch : counts.per_mm);

@@ -22,11 +22,6 @@ constexpr GAction kNeedCancel[] = {GAction::CheckReference, GAction::ToReference
                                    GAction::MeasureWork,    GAction::MeasureCentre,
                                    GAction::Skip,           GAction::Scaling};
 
-OffsetPlane offset_plane(const Control& control) {
-  const Plane plane = control.modal.plane();
-  return {plane.first, plane.second};
-}
-
 CompensationRules rules_of(const Control& control) {
   CompensationRules rules;
   const Parameters& parameters = control.parameters;
@@ -187,6 +182,11 @@ MaybeFailure past_corner(Control& control, const PathBlock& block) {
 }
 
 }  // namespace
+
+OffsetPlane offset_plane(const Control& control) {
+  const Plane plane = control.modal.plane();
+  return {plane.first, plane.second};
+}
 
 MaybeFailure travel(Control& control, const PathBlock& block) {
   control.stopped_skip.reset();

@@ -15,6 +15,9 @@ namespace g31::fanuc {
 // What ,C and ,R make of a corner stands in front of it (corners.cc): the block with the word waits
 // for the next one.
 
+/// The plane in force, as paths have it.
+path::OffsetPlane offset_plane(const Control& control);
+
 /// Moves along a block, machine coordinates, and tells the observer.
 MaybeFailure travel(Control& control, const path::PathBlock& block);
 

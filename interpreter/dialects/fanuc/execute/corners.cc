@@ -111,7 +111,7 @@ Failure from_corner_fault(const path::CornerFault& fault) {
 MaybeFailure refuse_corner_before(const Control& control, const path::PathBlock& block) {
   const path::ContourCorners& corners = control.cutter.corners;
   const path::OffsetPlane plane = corners.held_plane();
-  if (plane != path::OffsetPlane{control.modal.plane().first, control.modal.plane().second}) {
+  if (plane != offset_plane(control)) {
     return at_corner(AlarmId::CornerWithoutMove, block.where, "the plane changes behind ,C or ,R");
   }
   if (plane.of(block.q_M_end) == plane.of(corners.held_end())) {

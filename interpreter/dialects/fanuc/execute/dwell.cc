@@ -8,8 +8,7 @@ namespace g31::fanuc {
 namespace {
 
 bool counts_turns(const Control& control) {
-  return control.modal.group[Group::FeedMode].whole == 95 &&
-         control.parameters.is_on(ParameterId::DwellInTurns);
+  return control.modal.per_revolution() && control.parameters.is_on(ParameterId::DwellInTurns);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/execute/spindle.h"
 
@@ -14,8 +15,6 @@ namespace {
 /// The least strokes in a minute (FANUC operator's manual B-62764EN, 5; M700V programming manual,
 /// 7.5).
 constexpr double kLeastInverseTime = 0.001;
-
-constexpr int kPerRevolution = 95;
 
 /// As the machine counts the way.
 double length_of(const FeedWay& way) {
@@ -40,9 +39,7 @@ double inverse_time_length(const Control& control, const FeedWay& way) {
   if (!way.arc) {
     return length_of(way);
   }
-  const Plane plane = control.modal.plane();
-  const path::OffsetPlane axes{plane.first, plane.second};
-  const path::PlaneWay flat{axes.of(way.q_from), axes.of(way.q_end), way.arc};
+  const path::PlaneWay flat = flat_way(control, way);
   return control.profile.inverse_time.of_arc == InverseTime::OfArc::Radius
              ? (flat.from - flat.arc->centre).norm()
              : length_of_arc(flat);
@@ -92,6 +89,11 @@ double mm_per_degree(const Control& control) {
   return control.coordinates.tip_system() != TipSystem::None ? 0.0 : control.scale.mm_per_unit();
 }
 
+path::PlaneWay flat_way(const Control& control, const FeedWay& way) {
+  const path::OffsetPlane plane = offset_plane(control);
+  return {plane.of(way.q_from), plane.of(way.q_end), way.arc};
+}
+
 FeedWay straight_way(const Control& control, const AxisPositions& q_B_end) {
   return {start_of_way(control), q_B_end, mm_per_degree(control)};
 }
@@ -113,7 +115,7 @@ Result<double, Failure> feed_in_force(const Control& control) {
     return block_failure(AlarmId::NoFeed);
   }
   const double feed = control.to_mm(control.modal.feed);
-  if (control.modal.group[Group::FeedMode].whole != kPerRevolution) {
+  if (!control.modal.per_revolution()) {
     return feed;
   }
   const double speed = spindle_speed(control);

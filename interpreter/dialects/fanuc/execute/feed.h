@@ -18,6 +18,9 @@ struct FeedWay {
   std::optional<path::ArcShape> arc = {};  ///< in the plane in force
 };
 
+/// A way as seen in the plane in force.
+path::PlaneWay flat_way(const Control& control, const FeedWay& way);
+
 /// The straight way of a block to a place in path coordinates.
 FeedWay straight_way(const Control& control, const AxisPositions& q_B_end);
 /// That of the axes to a place of the machine.

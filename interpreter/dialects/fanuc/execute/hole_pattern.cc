@@ -39,11 +39,12 @@ Result<int, Failure> holes_of(const NcBlock& block) {
     return block_failure(AlarmId::IllegalAddress,
                          fmt::format("{} needs L holes", to_text(block.code->number)));
   }
-  const auto number = integer_of(*word);
-  const bool fits = number && number.value() >= 1 && number.value() <= kMostHoles;
-  return fits || !number
-             ? number
-             : at_word(AlarmId::IllegalAddress, *word, fmt::format("L is 1 to {}", kMostHoles));
+  return integer_within(*word, [](int number) {
+    return number < 1 || number > kMostHoles
+               ? MaybeWrong(
+                     WrongValue{AlarmId::IllegalAddress, fmt::format("L is 1 to {}", kMostHoles)})
+               : std::nullopt;
+  });
 }
 
 Result<Pattern, Failure> pattern_of(const Control& control, const NcBlock& block) {

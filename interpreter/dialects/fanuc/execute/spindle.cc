@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/runtime/turn_time.h"
 
@@ -37,9 +38,8 @@ double place_of(const Control& control, const AxisPositions& q_B) {
 /// Over an arc, in chords.
 double mean_over_arc(const Control& control, const FeedWay& way, const runtime::TurnTime& time) {
   constexpr double kChordRad = std::numbers::pi / 720.0;
-  const Plane plane = control.modal.plane();
-  const path::OffsetPlane axes{plane.first, plane.second};
-  const path::PlaneWay flat{axes.of(way.q_from), axes.of(way.q_end), way.arc};
+  const path::OffsetPlane axes = offset_plane(control);
+  const path::PlaneWay flat = flat_way(control, way);
   const double sweep = path::sweep_rad(flat);
   const double turn = flat.arc->turn == machine::Turn::Counterclockwise ? sweep : -sweep;
   const path::PlanePoint from = flat.from - flat.arc->centre;
@@ -102,10 +102,13 @@ MaybeFailure take_lowest_speed(Control& control, const BlockWords& words) {
   if (word == nullptr) {
     return std::nullopt;
   }
-  const auto number = integer_of(*word);
-  if (!number || number.value() < 0) {
-    return number ? at_word(AlarmId::IllegalMinus, *word, fmt::format("{} counts from 0", letter))
-                  : number.error();
+  const auto number = integer_within(*word, [letter](int speed) {
+    return speed < 0 ? MaybeWrong(WrongValue{AlarmId::IllegalMinus,
+                                             fmt::format("{} counts from 0", letter)})
+                     : std::nullopt;
+  });
+  if (!number) {
+    return number.error();
   }
   control.spindle.lowest = number.value();
   return std::nullopt;

@@ -52,6 +52,7 @@ struct Modal {
 
   Modal();
   [[nodiscard]] bool inverse_time() const { return group[Group::FeedMode].whole == 93; }
+  [[nodiscard]] bool per_revolution() const { return group[Group::FeedMode].whole == 95; }
   [[nodiscard]] bool cuts_thread() const { return group[Group::Motion].whole == 33; }
   [[nodiscard]] bool surface_speed() const { return group[Group::SpindleMode].whole == 96; }
   /// Whether the feed of a block depends on where it goes.

@@ -1,6 +1,6 @@
 // Edges of a mesh as few long pieces: a round rim comes as thousands that are shorter than a pixel.
 
-const WELD = 1e4; // ends within 0.1 um are one
+export const WELD = 1e4; // ends and corners within 0.1 um are one
 
 /** Pieces that hang together, as one where they lie near a line.
  * @param {number[]} ends x y z x y z @param {number} within how far a piece may be from those that it stands for */

@@ -1,8 +1,7 @@
 // Edges of a mesh: sharp ones, and those where it turns away from the viewer.
-import { joined } from './edge_chains.js';
+import { joined, WELD } from './edge_chains.js';
 
 const SHARP = Math.cos((20 * Math.PI) / 180); // faces that meet at a greater angle have an edge between them
-const WELD = 1e4; // corners within 0.1 um are one
 const ROUND = 1e-4; // of the size of a mesh: what a sharp edge may be off the mesh
 
 /** @typedef {{positions: Float32Array, triangles: Uint32Array}} Mesh */
