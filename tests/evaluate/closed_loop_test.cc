@@ -116,7 +116,7 @@ EvaluateOutput evaluated_circle(const testing::DrawnMachine& machine,
 
 TEST(ClosedLoop, CirclesOfTwoHundredMachinesShowTheirErrors) {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= testing::of_many(200); ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::of_many(200U); ++seed) {
     const testing::DrawnMachine machine = testing::drawn_machine(seed);
     const EvaluateOutput output = evaluated_circle(machine);
     ASSERT_EQ(output.exit_code, 0) << seed << ": " << output.errors;
@@ -130,7 +130,7 @@ TEST(ClosedLoop, CirclesOfTwoHundredMachinesShowTheirErrors) {
 /// Nothing but the steps of the record is uncertain on straight ways, and what slow loops leave of
 /// the start of the motion behind its first 0.3 s.
 TEST(ClosedLoop, OnStraightWaysTheErrorsComeBack) {
-  for (std::uint64_t seed = 1; seed <= testing::of_many(20); ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::of_many(20U); ++seed) {
     testing::DrawnMachine machine = testing::drawn_machine(seed);
     machine.form = 0.0;
     const EvaluateOutput output = evaluated_circle(machine);
@@ -157,7 +157,7 @@ TEST(ClosedLoop, OnStraightWaysTheErrorsComeBack) {
 /// of the backlash taken for a way of the screw would turn it by up to 1.2 degrees.
 TEST(ClosedLoop, CyclicErrorsBehindBacklashHaveThePhaseOfTheSheet) {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= testing::of_many(100); ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::of_many(100U); ++seed) {
     testing::DrawnMachine machine = testing::drawn_machine(seed);
     const auto between = [&](double low, double high, std::uint64_t which) {
       return low + (high - low) * uniform(Stream{seed, 11}, which);
@@ -198,7 +198,7 @@ TEST(ClosedLoop, CyclicErrorsBehindBacklashHaveThePhaseOfTheSheet) {
 /// Both ends of the motion are 0, so its line is in the work.
 TEST(ClosedLoop, StraightnessOfTwoHundredBenchesIsToldFromTheirBeds) {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= testing::of_many(200); ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::of_many(200U); ++seed) {
     const testing::DrawnBench bench = testing::drawn_bench(seed);
     const TemporaryFolder folder;
     cli::RunOptions run;

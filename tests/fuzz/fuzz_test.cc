@@ -32,8 +32,8 @@
 namespace g31::fuzz::fuzz_test {
 namespace {
 
-constexpr std::uint64_t kMutations = testing::of_many(5000);
-constexpr std::uint64_t kFileMutations = testing::of_many(1000);  // each a file on the disk
+const std::uint64_t kMutations = testing::of_many(5000U);
+const std::uint64_t kFileMutations = testing::of_many(1000U);  // each a file on the disk
 
 std::string content(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

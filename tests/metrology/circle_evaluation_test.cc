@@ -86,11 +86,11 @@ TEST(CircleEvaluation, ComparesTheDirections) {
 }
 
 TEST(CircleEvaluation, FindsTheErrorsOfTwoHundredMachinesWithinItsUncertainties) {
-  constexpr int kMachines = testing::of_many(200);
+  const unsigned machines = testing::of_many(200U);
   int inside = 0;
   int all = 0;
   std::map<std::string, double> sum;  // of errors in their uncertainties
-  for (std::uint64_t seed = 1; seed <= kMachines; ++seed) {
+  for (unsigned seed = 1; seed <= machines; ++seed) {
     const CircleMachine machine = any_machine(seed);
     const CircleEvaluation circle =
         evaluated(recorded_circle(machine), {machine.errors.radius, {}, 0.0});
@@ -110,7 +110,7 @@ TEST(CircleEvaluation, FindsTheErrorsOfTwoHundredMachinesWithinItsUncertainties)
   }
   EXPECT_GE(inside, 0.99 * all) << inside << " of " << all;
   for (const auto& [name, total] : sum) {
-    EXPECT_LT(std::abs(total) / kMachines, 3.5 / std::sqrt(kMachines)) << name;  // 0.25 of 200
+    EXPECT_LT(std::abs(total) / machines, 3.5 / std::sqrt(machines)) << name;  // 0.25 of 200
   }
 }
 
@@ -141,14 +141,14 @@ TEST(CircleEvaluation, UncertaintiesAreThoseThatRepeatsShow) {
 /// Screws of 4 to 16 mm whose lead wavers by up to 3 um: sine and cosine of both axes come back,
 /// and so do all the other errors.
 TEST(CircleEvaluation, FindsTheCyclicErrorsOfScrewsWithinItsUncertainties) {
-  constexpr int kMachines = testing::of_many(120);
+  const unsigned machines = testing::of_many(120U);
   int inside = 0;
   int all = 0;
   const auto take = [&](double off, double u) {
     inside += std::abs(off) <= 3.0 * u ? 1 : 0;
     ++all;
   };
-  for (std::uint64_t seed = 1; seed <= kMachines; ++seed) {
+  for (unsigned seed = 1; seed <= machines; ++seed) {
     CircleMachine machine = any_machine(seed);
     machine.bow = {};
     const auto between = [&](double low, double high, std::uint64_t which) {
@@ -180,9 +180,9 @@ TEST(CircleEvaluation, FindsTheCyclicErrorsOfScrewsWithinItsUncertainties) {
 /// middle of both ways, which is up to 2 degrees of its phase and ten times what the phase is
 /// uncertain by.  Amplitude, phase and backlash are right within their uncertainties, without bias.
 TEST(CircleEvaluation, FindsBacklashAndCyclicErrorsTogether) {
-  constexpr int kMachines = testing::of_many(130);
+  const unsigned machines = testing::of_many(130U);
   std::map<std::string, std::vector<double>> offs;  // in uncertainties
-  for (std::uint64_t seed = 1; seed <= kMachines; ++seed) {
+  for (unsigned seed = 1; seed <= machines; ++seed) {
     CircleMachine machine = any_machine(seed);
     machine.bow = {};
     const auto between = [&](double low, double high, std::uint64_t which) {

@@ -234,13 +234,13 @@ TEST(CarrierView, WaysByChanceEndWhereTheBallTouchesWhateverCarriesTheBody) {
   std::mt19937 random(18);
   for (const LinkCase& one : kLinks) {
     SCOPED_TRACE(fmt::format("{} | {}, link {}", one.table, one.tool, one.link));
-    constexpr int kWays = testing::of_many(40);
+    const int ways = testing::of_many(40);
     int stopped = 0;
-    for (int i = 0; i < kWays; ++i) {
+    for (int i = 0; i < ways; ++i) {
       stopped += try_way(one, random) ? 1 : 0;
     }
-    EXPECT_GE(stopped, kWays / 8);
-    EXPECT_LT(stopped, kWays);
+    EXPECT_GE(stopped, ways / 8);
+    EXPECT_LT(stopped, ways);
   }
 }
 

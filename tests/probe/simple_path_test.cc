@@ -175,11 +175,11 @@ bool random_move(Dice& dice, Pair& pair) {
 }
 
 TEST(SimplePath, IsWhatTheFastOneComesTo) {
-  constexpr int kRuns = testing::of_many(300);
+  const std::uint64_t runs = testing::of_many(300U);
   int touches = 0;
   int collisions = 0;
   int grazing = 0;
-  for (std::uint64_t seed = 0; seed < kRuns; ++seed) {
+  for (std::uint64_t seed = 0; seed < runs; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     machine::MachineSetup setup;
@@ -197,8 +197,8 @@ TEST(SimplePath, IsWhatTheFastOneComesTo) {
     ASSERT_FALSE(HasFailure());
   }
   // Both kinds of answers were there to be compared.
-  EXPECT_GT(touches, kRuns / 6);
-  EXPECT_GT(collisions, kRuns / 3);
+  EXPECT_GT(touches, runs / 6);
+  EXPECT_GT(collisions, runs / 3);
   EXPECT_LT(grazing, collisions / 10);
 }
 

@@ -164,7 +164,7 @@ TEST(SweptClearance, PlanesKeepTheSectionOnOneSideOnAllOfItsWay) {
 }
 
 TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
-  constexpr int kWays = testing::of_many(60);
+  const int ways = testing::of_many(60);
   constexpr double kFlatMm = 1e-3;  // kSweptBandMm where a section comes in at one degree
   const parts::Mesh kMeshes[] = {testing::sphere_mesh(20.0, 8),
                                  testing::shaken(testing::sphere_mesh(20.0, 10), 0.5, 3),
@@ -178,7 +178,7 @@ TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
   for (const parts::Mesh& mesh : kMeshes) {
     const CollisionMesh ours(mesh);
     const auto triangles = triangles_of(mesh);
-    for (int i = 0; i < kWays; ++i) {
+    for (int i = 0; i < ways; ++i) {
       const ProbeSection section = any_shape(random);
       SweptSection swept = any_sweep(section, random);
       const auto touch = ours.first_touch(swept);
@@ -199,8 +199,8 @@ TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
       }
     }
   }
-  EXPECT_GT(touches, kWays);
-  EXPECT_GT(grazing, kWays);
+  EXPECT_GT(touches, ways);
+  EXPECT_GT(grazing, ways);
 }
 
 }  // namespace

@@ -152,11 +152,11 @@ class BlockMaker {
 };
 
 TEST(RandomBlocks, AreRecognisedWithoutOneMistake) {
-  constexpr std::uint64_t kBlocks = testing::of_many(200);
+  const std::uint64_t blocks = testing::of_many(200U);
   const testing::TemporaryFolder folder;
   const std::string path = folder.path("block.step");
   std::size_t features = 0;
-  for (std::uint64_t number = 0; number < kBlocks; ++number) {
+  for (std::uint64_t number = 0; number < blocks; ++number) {
     SCOPED_TRACE(fmt::format("block {}", number));
     const BlockMaker maker(number);
     testing::write_step(maker.product(), "block", path);
@@ -177,7 +177,7 @@ TEST(RandomBlocks, AreRecognisedWithoutOneMistake) {
       EXPECT_EQ(part.features[i].open, expected[i].open);
     }
   }
-  EXPECT_GT(features, 3 * kBlocks);
+  EXPECT_GT(features, 3 * blocks);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ void expect_circle(const PlannedPart& planned, std::size_t feature, const Circle
 }
 
 TEST(RoundPlans, OfRandomHolesAndBossesAreThoseOfTheDrawing) {
-  const auto blocks = static_cast<std::uint64_t>(testing::of_many(12));
+  const std::uint64_t blocks = testing::of_many(12U);
   const testing::TemporaryFolder folder;
   const std::string path = folder.path("block.step");
   std::map<bool, std::size_t> by_cycle;

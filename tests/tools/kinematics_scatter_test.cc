@@ -63,7 +63,7 @@ double margin(int runs) {
   return 4.0 / std::sqrt(2.0 * runs);
 }
 
-constexpr int kRuns = of_many(160);
+const int kRuns = of_many(160);
 
 TEST(KinematicsScatter, OfATableIsHalfThatOfATouch) {
   // A place of the ball across has the variance sigma^2 / 2: half the difference of two touches.

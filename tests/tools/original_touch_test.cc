@@ -24,7 +24,7 @@ using testing::TemporaryFolder;
 
 constexpr int kFirstKept = 540;      ///< points of a run: three variables each from here on
 constexpr int kTouchesOfARun = 150;  ///< up to #989
-constexpr int kRuns = testing::of_many(7);
+const unsigned kRuns = testing::of_many(7U);
 
 class RandomTouches {
  public:

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "tests/support/captured.h"
+#include "tests/support/effort.h"
 #include "tests/support/run_arguments.h"
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
@@ -31,12 +32,6 @@ using testing::TemporaryFolder;
 
 constexpr std::uint64_t kMegabyte = 1'000'000;
 
-#if defined(G31_UNDER_SANITIZERS)
-constexpr bool kBoundsMemory = false;  // the sanitizer itself takes terabytes of addresses
-#else
-constexpr bool kBoundsMemory = true;
-#endif
-
 /// Address space that this process has now, bytes.
 std::uint64_t address_space() {
   std::uint64_t pages = 0;
@@ -50,7 +45,7 @@ int exit_code_within(std::uint64_t more_bytes, const cli::RunOptions& options) {
   std::fflush(nullptr);  // or the child writes it, too
   const pid_t child = ::fork();
   if (child == 0) {
-    if (kBoundsMemory) {
+    if (!testing::under_sanitizers()) {  // these take terabytes of addresses themselves
       const rlim_t most = address_space() + more_bytes;
       const struct rlimit limit = {most, most};
       ::setrlimit(RLIMIT_AS, &limit);

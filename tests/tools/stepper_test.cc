@@ -27,8 +27,8 @@ using testing::Pauses;
 using testing::SteppedRun;
 
 /// Loops of a million blocks are looked at for this long.
-constexpr std::uint64_t kMostPauses = testing::of_many(300);
-constexpr runtime::Budget kBudget = {testing::of_many(200'000), 20.0};
+const std::uint64_t kMostPauses = testing::of_many(300U);
+const runtime::Budget kBudget = {testing::of_many(200'000U), 20.0};
 
 struct Dialect {
   std::string folder;

@@ -241,7 +241,7 @@ void expect_roughing(const std::vector<Move>& moves, const Outline& outline, con
 }
 
 TEST(StockRemoval, CutsEndBesideAnyContourAndNothingComesNearer) {
-  for (unsigned seed = 0; seed < static_cast<unsigned>(of_many(80)); ++seed) {
+  for (unsigned seed = 0; seed < of_many(80U); ++seed) {
     SCOPED_TRACE(seed);
     RandomContour contour(seed);
     const int form = static_cast<int>(seed % 4);
@@ -284,7 +284,7 @@ std::vector<Move> finishing_of(const std::vector<Move>& moves, const Outline& ou
 }
 
 TEST(StockRemoval, FinishingGoesAlongTheContourAloneAsItIsWrittenBehindRoughingAsTheCutsRun) {
-  for (unsigned seed = 0; seed < static_cast<unsigned>(of_many(32)); ++seed) {
+  for (unsigned seed = 0; seed < of_many(32U); ++seed) {
     SCOPED_TRACE(seed);
     RandomContour contour(seed);
     const int form = static_cast<int>(seed % 4);

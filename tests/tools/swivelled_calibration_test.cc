@@ -42,7 +42,7 @@ std::string in_the_plane(std::size_t set_up) {
       set_up % 2 == 1 ? "TRAORI\n" : "", set_up % 3 == 0 ? 1 : -1);
 }
 
-constexpr std::size_t kSetUps = of_many(6);
+const std::size_t kSetUps = of_many(6U);
 
 std::vector<machine::AxisChainSetup> machines() {
   return {k1(), k2(), k3(), k4(), k5(), k6()};

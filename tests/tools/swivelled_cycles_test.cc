@@ -209,7 +209,7 @@ void expect_feature(const Feature& feature, std::size_t set_up, const Mode& mode
 TEST(SwivelledCycles, EveryFeatureReadsItsTrueSizeAndPlace) {
   std::uint64_t n = 0;
   std::size_t tried = 0;
-  const auto set_ups = static_cast<std::size_t>(of_many(6));
+  const std::size_t set_ups = of_many(6U);
   for (const Feature& feature : kFeatures) {
     for (std::size_t i = 0; i < set_ups; ++i) {
       expect_feature(feature, i, kModes[tried++ % std::size(kModes)], n);

@@ -25,6 +25,9 @@ add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
 # Told to tests, too, which are not compiled with them: runs last ten times as long.
 if(CMAKE_CXX_FLAGS MATCHES "sanitize")
   target_compile_definitions(g31_warnings INTERFACE G31_UNDER_SANITIZERS)
+  # Under the address sanitizer Eigen would align by itself, and code of tests, which is not compiled with it, would free
+  # what it took; its malloc aligns as that of every other build does.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 
 # Release libraries that blocks go through one after the other (ACROSS_FILES: reading Fanuc blocks, what is made of a
@@ -180,27 +183,50 @@ function(g31_always_optimise name)
   endif()
 endfunction()
 
-function(g31_test)
-  cmake_parse_arguments(arg "" "NAME;PREFIX" "SOURCES;DEPENDS" ${ARGN})
-  add_executable(${arg_NAME} ${arg_SOURCES})
-  target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
-  g31_link_file_by_file(${arg_NAME})
-  g31_compile_quickly(${arg_NAME})
-  # The program's own libraries are checked, the code of their tests is not, and stack traces name no lines of it: it
-  # takes half the time to compile.  Libraries of tests (tests/support) stay checked.
-  if(CMAKE_CXX_FLAGS MATCHES "sanitize")
-    target_compile_options(${arg_NAME} PRIVATE -fno-sanitize=all -g0)
-    # Under the address sanitizer Eigen aligns by itself: both sides have to, or one frees what the other took.
-    target_compile_definitions(${arg_NAME} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=0)
+# Code of tests is the same in every build, whatever it is linked to: a build can take that of another, which is made
+# before, instead of compiling it once more (-D G31_TEST_CODE_OF=build/release).
+set(G31_TEST_CODE_OF "" CACHE PATH "Another build, whose code of the tests is linked")
+
+# The program's own libraries are checked by the sanitizers, the code of their tests is not, and stack traces name no
+# lines of it: it takes half the time to compile.  Libraries of tests (tests/support) are checked.
+function(g31_compile_test_code name)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(${name} PRIVATE -O1 -g0 -fno-omit-frame-pointer -fno-sanitize=all)
+    target_compile_definitions(${name} PRIVATE _GLIBCXX_ASSERTIONS)
   endif()
-  g31_take_prelude(${arg_NAME} g31_test_prelude quick)
+  g31_take_prelude(${name} g31_test_prelude quick)
   # The names of a test file are in a namespace of its own, so that a batch of them compiles as one.
   if(G31_BATCHES)
-    set_target_properties(${arg_NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${g31_batch})
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${g31_batch})
   endif()
-  target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/test_code/${name}.txt
+    CONTENT "$<JOIN:$<TARGET_OBJECTS:${name}>,\n>\n")
+endfunction()
+
+function(g31_take_test_code name)
+  get_filename_component(folder "${G31_TEST_CODE_OF}" ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
+  set(list ${folder}/test_code/${name}.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} code)
+  add_executable(${name} ${code})
+  set_source_files_properties(${code} PROPERTIES EXTERNAL_OBJECT TRUE)
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+endfunction()
+
+function(g31_test)
+  cmake_parse_arguments(arg "" "NAME;PREFIX" "SOURCES;DEPENDS" ${ARGN})
+  if(G31_TEST_CODE_OF)
+    g31_take_test_code(${arg_NAME})
+  else()
+    add_executable(${arg_NAME} ${arg_SOURCES})
+    g31_compile_test_code(${arg_NAME})
+  endif()
+  target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
+  g31_link_file_by_file(${arg_NAME})
   if(CMAKE_CXX_FLAGS MATCHES "sanitize")
-    g31_run_in_shares(${arg_NAME} "${arg_PREFIX}")
+    list(LENGTH arg_SOURCES files)
+    g31_run_in_shares(${arg_NAME} ${files} "${arg_PREFIX}")
     return()
   endif()
   # Tests run in the source folder: golden files and parts are named by their repository path.
@@ -213,9 +239,7 @@ endfunction()
 
 # A program under the address sanitizer takes a third of a second to begin and end, most tests a hundredth: so
 # there a process runs a share of a program's tests, not one.  What became of each is in a file of its own.
-function(g31_run_in_shares name prefix)
-  get_target_property(sources ${name} SOURCES)
-  list(LENGTH sources files)
+function(g31_run_in_shares name files prefix)
   math(EXPR shares "(${files} + 9) / 10")
   foreach(share RANGE 1 ${shares})
     math(EXPR index "${share} - 1")

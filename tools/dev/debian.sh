@@ -1,7 +1,8 @@
 # Installs what is missing on Debian 12; to be sourced.  Nothing is called when nothing is missing.
 #
 #   g31_install_packages LOGFILE    apt's own words go to LOGFILE, and to the screen when it fails
-#   g31_build PRESET [TARGET...]    configures quietly and builds
+#   g31_build PRESET [-DNAME=VALUE...] [TARGET...]
+#                                   configures quietly and builds
 #   g31_build_with_progress PRESET LOGFILE [TARGET...]
 #                                   the same; its words go to LOGFILE, how far it is to standard error
 
@@ -56,12 +57,15 @@ g31_install_packages() {
 }
 
 g31_build() {
-  local preset=$1 target targets=()
+  local preset=$1 word options=() targets=()
   shift
-  for target in "$@"; do
-    targets+=(--target "$target")
+  for word in "$@"; do
+    case $word in
+      -D*) options+=("$word") ;;
+      *) targets+=(--target "$word") ;;
+    esac
   done
-  cmake --preset "$preset" >"build/configure-$preset.log" 2>&1 ||
+  cmake --preset "$preset" "${options[@]}" >"build/configure-$preset.log" 2>&1 ||
     { cat "build/configure-$preset.log" >&2; return 1; }
   cmake --build --preset "$preset" --parallel "$(nproc)" "${targets[@]}"
 }
