@@ -76,14 +76,16 @@ def compiled(source, table, rows):
 
 
 class BrokenRows(unittest.TestCase):
-    def test_tables_compile_as_they_are_and_with_no_row_that_nothing_handles(self):
+    def test_a_copy_of_a_table_as_it_is_compiles(self):
+        # The build has compiled all of them; one shows that the command below finds what it needs.
+        source, table, _ = BROKEN[0]
+        code, messages = compiled(source, table, [])
+        self.assertEqual(code, 0, messages)
+
+    def test_no_table_compiles_with_a_row_that_nothing_handles(self):
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            whole = [pool.submit(compiled, source, table, []) for source, table, _ in BROKEN]
             broken = [pool.submit(compiled, source, table, list(rows)) for source, table, rows in BROKEN]
-        for (source, table, rows), as_it_is, with_rows in zip(BROKEN, whole, broken):
-            with self.subTest(f"{table} in {source}"):
-                code, messages = as_it_is.result()
-                self.assertEqual(code, 0, messages)
+        for (_, _, rows), with_rows in zip(BROKEN, broken):
             for row, said in rows.items():
                 with self.subTest(row):
                     code, messages = with_rows.result()

@@ -14,6 +14,7 @@
 #include "machine/base/random.h"
 #include "machine/units/point.h"
 #include "probe/metrology/minimax_fit.h"
+#include "tests/support/effort.h"
 
 namespace g31::form_zones_test {
 namespace {
@@ -315,7 +316,7 @@ double searched_zone(const Eigen::MatrixX3d& points, double form, double length,
 }
 
 TEST(Cylindricity, OfCoarseFormIsTheSmallestZone) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::of_many(40U); ++seed) {
     const auto levels = static_cast<int>(2 + seed % 3);
     const int angles = seed % 2 == 0 ? 4 : 7;
     const double form = 10.0 * std::pow(10.0, between(-2.0, -0.3, seed, 0));
