@@ -36,7 +36,7 @@ DirectionStatistics statistics_of(const std::vector<double>& deviations) {
   for (const double x : deviations) {
     square += (x - mean) * (x - mean);
   }
-  return {mean, std::sqrt(square / static_cast<double>(deviations.size() - 1))};
+  return {mean, std::sqrt(square / static_cast<double>(deviations.size() - 1)), deviations.size()};
 }
 
 using Direction = std::optional<DirectionStatistics> TargetStatistics::*;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,8 +19,9 @@ struct Approach {
 
 /// What the approaches of one target from one side say, mm.
 struct DirectionStatistics {
-  double mean = 0.0;  ///< of the deviations
-  double s = 0.0;     ///< estimator of their standard deviation, n - 1
+  double mean = 0.0;           ///< of the deviations
+  double s = 0.0;              ///< estimator of their standard deviation, n - 1
+  std::size_t approaches = 0;  ///< n
 };
 
 struct TargetStatistics {

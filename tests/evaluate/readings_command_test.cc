@@ -343,7 +343,11 @@ TEST(EvaluatePositioning, SaysWhyAResultHasNoValue) {
       notes(up + "X,0,-1,1,0\nX,0,-1,2,0\n"),
       Texts{"1 of 2 targets was not approached in the negative direction, first 9 mm: A_down, "
             "R_down and E_down need every target from that side, A, R, B, E and M from both"});
-  EXPECT_EQ(notes(up + "X,0,-1,1,0\nX,0,-1,2,0\nX,9,-1,1,9\nX,9,-1,2,9\n"), Texts());
+  const std::string even = up + "X,0,-1,1,0\nX,0,-1,2,0\nX,9,-1,1,9\nX,9,-1,2,9\n";
+  EXPECT_EQ(notes(even), Texts());
+  EXPECT_EQ(notes(even + "X,9,1,3,9\nX,9,-1,3,9\n"),
+            Texts{"target 0 mm was approached 2 times in the positive direction, others 3 times: "
+                  "the standard has the same number for all"});
 }
 
 }  // namespace

@@ -95,9 +95,35 @@ Curve mean_deviations(const PositioningEvaluation& p) {
   return mean;
 }
 
-/// Why results have no value: targets that were not approached from one side.
+/// That targets were not approached equally often, as the standard has it: means and deviations of
+/// fewer say less.
+std::optional<std::string> uneven_approaches(const PositioningEvaluation& p) {
+  std::size_t most = 0;
+  for (const metrology::TargetStatistics& target : p.targets) {
+    for (const auto& side : {target.up, target.down}) {
+      most = std::max(most, side ? side->approaches : 0);
+    }
+  }
+  for (const metrology::TargetStatistics& target : p.targets) {
+    for (const auto& [side, name] : {std::pair(target.up, "positive"), {target.down, "negative"}}) {
+      if (side && side->approaches < most) {
+        return fmt::format(
+            "target {} mm was approached {} times in the {} direction, others {} times: the "
+            "standard has the same number for all",
+            target.target, side->approaches, name, most);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Why results have no value: targets that were not approached from one side; and what makes them
+/// uneven.
 std::vector<std::string> notes_of(const PositioningEvaluation& p) {
   std::vector<std::string> notes;
+  if (auto uneven = uneven_approaches(p)) {
+    notes.push_back(*std::move(uneven));
+  }
   for (const bool is_up : {true, false}) {
     const auto lacks = [is_up](const metrology::TargetStatistics& target) {
       return !(is_up ? target.up : target.down);
