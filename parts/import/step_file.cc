@@ -40,13 +40,20 @@ Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta
     return step_reader().why_not + ", or save the part as STL, OBJ, PLY or 3MF";
   }
   const auto read = reinterpret_cast<decltype(&g31_read_step)>(step_reader().address);
-  MadeApart<ReadFaces> apart = make_apart<ReadFaces>(
-      [&](ReadFaces& faces) {
-        std::string error;
-        read(path.c_str(), sagitta_mm, &faces.mesh, &faces.walls, &error);
-        return error;
-      },
-      goes_on);
+  const auto read_by = [&](FaceMesher mesher) {
+    return make_apart<ReadFaces>(
+        [&](ReadFaces& faces) {
+          std::string error;
+          read({path, sagitta_mm, mesher}, &faces.mesh, &faces.walls, &error);
+          return error;
+        },
+        goes_on);
+  };
+  MadeApart<ReadFaces> apart = read_by(FaceMesher::Quick);
+  if (!apart.why_not.empty()) {
+    // It may be the way of meshing that breaks off, not the file.
+    apart = read_by(FaceMesher::Sure);
+  }
   if (!apart.why_not.empty()) {
     return "not understood as STEP: Open CASCADE does not get through it (" + apart.why_not + ")";
   }

@@ -11,9 +11,7 @@
 #include <vector>
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
-#include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -21,8 +19,11 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <fmt/format.h>
 
 #include "machine/base/result.h"
+#include "parts/import/face_mesher.h"
 #include "parts/import/step_shape.h"
 #include "parts/import/vertex_weld.h"
 
@@ -45,7 +46,10 @@ void add_face(const TopoDS_Face& face, Mesh& mesh, VertexWeld& weld) {
       const gp_Pnt p = triangles->Node(nodes[corner]).Transformed(location.Transformation());
       corners[is_turned ? 2 - corner : corner] = weld.vertex_at({p.X(), p.Y(), p.Z()});
     }
-    mesh.triangles.push_back(corners);
+    // What has two corners in one place, as at the apex of a cone, is no facet.
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) {
+      mesh.triangles.push_back(corners);
+    }
   }
 }
 
@@ -65,21 +69,50 @@ void note_round_wall(const TopoDS_Face& face, std::size_t first, const Mesh& mes
   }
 }
 
-Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm,
-                                     std::vector<RoundWall>& walls) {
+/// The first face that the mesher did not get whole, and what to do; "": none.
+std::string unmeshed_face(const TopoDS_Shape& shape, double sagitta_mm) {
+  int number = 0;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+    ++number;
+    const TopoDS_Face& face = TopoDS::Face(faces.Current());
+    if (is_meshed_whole(face, sagitta_mm)) {
+      continue;
+    }
+    const TopExp_Explorer corner(face, TopAbs_VERTEX);
+    const gp_Pnt at =
+        corner.More() ? BRep_Tool::Pnt(TopoDS::Vertex(corner.Current())) : gp_Pnt(0.0, 0.0, 0.0);
+    return fmt::format(
+        "Open CASCADE does not cover its face {} ({} X{:.3f} Y{:.3f} Z{:.3f}) with facets that are "
+        "off by at most {:g} mm: where its outline crosses itself, mend that in the CAD system; "
+        "else give another step_sagitta, or save the part as STL, OBJ, PLY or 3MF",
+        number, corner.More() ? "with a corner at" : "without corners, at", at.X() + 0.0,
+        at.Y() + 0.0, at.Z() + 0.0, sagitta_mm);
+  }
+  return "";
+}
+
+/// Gives the faces triangles: surely where the quick way fails.
+/// @returns what is wrong, or ""
+std::string mesh_all_faces(const TopoDS_Shape& shape, const StepReading& reading) {
+  mesh_faces(shape, reading.sagitta_mm, reading.mesher);
+  std::string wrong = unmeshed_face(shape, reading.sagitta_mm);
+  if (wrong.empty() || reading.mesher == FaceMesher::Sure) {
+    return wrong;
+  }
+  mesh_faces(shape, reading.sagitta_mm, FaceMesher::Sure);
+  return unmeshed_face(shape, reading.sagitta_mm);
+}
+
+Result<Mesh, std::string> read_faces(const StepReading& reading, std::vector<RoundWall>& walls) {
   STEPControl_Reader reader;
-  const auto read = read_step_shape(path, reader);
+  const auto read = read_step_shape(reading.path, reader);
   if (!read) {
     return read.error();
   }
   const TopoDS_Shape& shape = read.value();
-  IMeshTools_Parameters fine;
-  fine.Deflection = sagitta_mm;
-  fine.Angle = 0.5;  // rad between facets
-  // The other one takes a time that grows with the square of the points of a face: a plate with 150
-  // holes took 12 s.
-  fine.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
-  const BRepMesh_IncrementalMesh mesher(shape, fine);
+  if (std::string wrong = mesh_all_faces(shape, reading); !wrong.empty()) {
+    return wrong;
+  }
   Mesh mesh;
   VertexWeld weld(mesh);
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -97,10 +130,10 @@ Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm,
 
 }  // namespace g31::parts
 
-bool g31_read_step(const char* path, double sagitta_mm, g31::parts::Mesh* mesh,
+bool g31_read_step(const g31::parts::StepReading& reading, g31::parts::Mesh* mesh,
                    std::vector<g31::parts::RoundWall>* walls, std::string* error) {
   try {
-    auto read = g31::parts::read_faces(path, sagitta_mm, *walls);
+    auto read = g31::parts::read_faces(reading, *walls);
     if (read) {
       *mesh = std::move(read.value());
       return true;

@@ -1,0 +1,93 @@
+// The facets of STEP files cover each face, whichever way Open CASCADE takes to make them.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
+#include <gtest/gtest.h>
+
+#include "parts/import/step_file.h"
+#include "tests/probe/test_meshes.h"
+#include "tests/solids/made_parts.h"
+#include "tests/solids/step_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace g31::step_facets_test {
+namespace {
+
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+
+Result<parts::Mesh, std::string> facets_of(const TopoDS_Shape& shape, double sagitta_mm) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path("part.step");
+  testing::write_step(shape, "part", path);
+  return parts::read_step_file(path, sagitta_mm);
+}
+
+TopoDS_Wire wire_through(const std::vector<gp_Pnt>& corners) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const gp_Pnt& corner : corners) {
+    outline.Add(corner);
+  }
+  outline.Close();
+  return outline.Wire();
+}
+
+/// A square with a hole that goes beyond its outline.
+TopoDS_Shape crossed_face() {
+  BRepBuilderAPI_MakeFace face(gp_Pln(gp_Pnt(0, 0, 5), gp_Dir(0, 0, 1)),
+                               wire_through({{0, 0, 5}, {10, 0, 5}, {10, 10, 5}, {0, 10, 5}}));
+  face.Add(wire_through({{2, 2, 5}, {2, 4, 5}, {14, 4, 5}, {14, 2, 5}}));
+  return face.Shape();
+}
+
+/// @param exact    volume
+/// @param arcs_mm2 area of the round walls: facets are off by the sagitta there
+void expect_solid(const TopoDS_Shape& shape, double sagitta_mm, double exact, double arcs_mm2) {
+  const auto mesh = facets_of(shape, sagitta_mm);
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_TRUE(testing::is_closed_and_oriented(mesh.value()));
+  EXPECT_NEAR(testing::enclosed_volume(mesh.value()), exact, sagitta_mm * arcs_mm2 + 1e-6);
+}
+
+// All corners of such a face lie on a circle but the one in its middle.
+TEST(StepFacets, CoverAQuarterOfADisc) {
+  for (const double radius : {2.0, 6.0, 14.0, 20.0, 22.0, 25.0, 30.0, 36.0, 40.0, 42.0, 45.0}) {
+    for (const double sagitta : {0.01, 0.001}) {
+      SCOPED_TRACE(radius);
+      const double wall = kQuarter * radius;
+      expect_solid(BRepPrimAPI_MakeCylinder(radius, 30.0, kQuarter).Shape(), sagitta,
+                   wall * radius / 2.0 * 30.0, wall * 30.0);
+      expect_solid(testing::cut(testing::block({{0, 0, -30}, {150, 100, 0}}),
+                                {testing::pin({0, 0, -12}, 2.0 * radius, 12)}),
+                   sagitta, 150.0 * 100.0 * 30.0 - wall * radius / 2.0 * 12.0, wall * 12.0);
+    }
+  }
+}
+
+// With thousands of corners the quick way of meshing comes first, which breaks off here.
+TEST(StepFacets, AreMadeTheSureWayWhereTheQuickOneBreaksOff) {
+  constexpr double kRadius = 14.0;
+  constexpr double kSagitta = 1e-6;
+  const double wall = kQuarter * kRadius;
+  expect_solid(BRepPrimAPI_MakeCylinder(kRadius, 30.0, kQuarter).Shape(), kSagitta,
+               wall * kRadius / 2.0 * 30.0, wall * 30.0);
+}
+
+TEST(StepFacets, ThatCannotCoverAFaceAreRefused) {
+  const auto mesh = facets_of(crossed_face(), 0.01);
+  ASSERT_FALSE(mesh.ok());
+  EXPECT_NE(mesh.error().find("does not cover its face 1 (with a corner at X0.000 Y0.000 Z5.000)"),
+            std::string::npos)
+      << mesh.error();
+  EXPECT_NE(mesh.error().find("step_sagitta"), std::string::npos) << mesh.error();
+}
+
+}  // namespace
+}  // namespace g31::step_facets_test
