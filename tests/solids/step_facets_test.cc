@@ -8,6 +8,8 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Pln.hxx>
 #include <gtest/gtest.h>
@@ -17,6 +19,7 @@
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/plan/plan_part.h"
 
 namespace g31::step_facets_test {
 namespace {
@@ -87,6 +90,26 @@ TEST(StepFacets, ThatCannotCoverAFaceAreRefused) {
             std::string::npos)
       << mesh.error();
   EXPECT_NE(mesh.error().find("step_sagitta"), std::string::npos) << mesh.error();
+}
+
+TEST(StepFacets, ThatCannotBeMadeAreNoMistakeOfThePlannedSheet) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, testing::cut(testing::block({{0, 0, -30}, {100, 80, 0}}),
+                                 {testing::block({{30, 30, -10}, {70, 50, 0}})}));
+  builder.Add(both, crossed_face());
+  const testing::TemporaryFolder folder;
+  plan::PlanRequest request;
+  request.product = folder.path("part.step");
+  testing::write_step(both, "part", request.product);
+  request.stock = "box";
+  request.folder = folder.path("");
+  const auto planned = plan::plan_part(request);
+  ASSERT_FALSE(planned.ok());
+  EXPECT_EQ(planned.error().ending, session::Ending::BadInput);
+  EXPECT_NE(planned.error().message.find("does not cover its face"), std::string::npos)
+      << planned.error().message;
 }
 
 }  // namespace

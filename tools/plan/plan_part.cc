@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -146,7 +147,7 @@ class PartPlanner {
     const runtime::TimeBudget time(kNoEnd, request_.interruption);
     const auto built = session::build_parts(job, &time);
     if (!built) {
-      return built.error();
+      return not_built(job, built.error());
     }
     planned_.built = built.value();
     const auto touches = plan_touches(job, planned_.built, planned_, request_.tolerance_mm);
@@ -168,6 +169,20 @@ class PartPlanner {
     choose_cycles(job, options_, planned_.plan);
     put_in_order(planned_.plan);
     return write_program();
+  }
+
+  /// A product that is not read is what was given, not a mistake of the sheet made from it.
+  [[nodiscard]] Refusal not_built(const setup::Job& job, const Refusal& refusal) const {
+    for (std::size_t i = 0; i < job.parts.size(); ++i) {
+      std::error_code unknown;
+      for (const setup::SetupError& error : refusal.sheet_errors) {
+        if (error.line == job.part_places[i].line &&
+            fs::equivalent(job.parts[i].file, request_.product, unknown)) {
+          return session::bad_input(error.message);
+        }
+      }
+    }
+    return refusal;
   }
 
   Wrong write_program() {
