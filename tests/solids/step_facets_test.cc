@@ -7,10 +7,12 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 #include <gtest/gtest.h>
 
@@ -110,6 +112,25 @@ TEST(StepFacets, ThatCannotBeMadeAreNoMistakeOfThePlannedSheet) {
   EXPECT_EQ(planned.error().ending, session::Ending::BadInput);
   EXPECT_NE(planned.error().message.find("does not cover its face"), std::string::npos)
       << planned.error().message;
+}
+
+// Facets without area are the import's own: who has a STEP file can do nothing about them.
+TEST(StepFacets, OfADrillPointAreNothingToTell) {
+  constexpr double kRadius = 6.0;
+  const double tip = kRadius / std::tan(59.0 * std::numbers::pi / 180.0);
+  const gp_Ax2 axes(gp_Pnt(25, 25, -20), gp_Dir(0, 0, -1));
+  const testing::TemporaryFolder folder;
+  plan::PlanRequest request;
+  request.product = folder.path("drilled.step");
+  testing::write_step(testing::cut(testing::block({{0, 0, -40}, {50, 50, 0}}),
+                                   {testing::pin({25, 25, -20}, 2.0 * kRadius, 20),
+                                    BRepPrimAPI_MakeCone(axes, kRadius, 0.0, tip).Shape()}),
+                      "part", request.product);
+  request.stock = "box";
+  request.folder = folder.path("");
+  const auto planned = plan::plan_part(request);
+  ASSERT_TRUE(planned.ok()) << planned.error().message;
+  EXPECT_EQ(planned.value().notes, "");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "parts/geometry/mesh_defects.h"
 #include "parts/geometry/placement.h"
 #include "parts/import/mesh_file.h"
+#include "parts/import/step_file.h"
 #include "probe/sensor/carrier_view.h"
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/second_probe.h"
@@ -59,7 +60,7 @@ void tell(source::DiagnosticId id, const std::string& what, const source::ShownP
 }
 
 /// What is wrong with a mesh, in the words of a run.
-void add_findings(const parts::Mesh& mesh_P, const std::string& part,
+void add_findings(const parts::Mesh& mesh_P, const parts::PartSetup& part,
                   const source::ShownPlace& place, const parts::GoesOn& goes_on,
                   std::vector<source::Diagnostic>& findings) {
   const parts::MeshDefects defects = parts::defects_of(mesh_P, goes_on);
@@ -69,7 +70,7 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
       // + 0.0: no -0 among the coordinates.
       const auto rounded = [](double mm) { return std::round(1000.0 * mm) / 1000.0 + 0.0; };
       tell(id,
-           fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part,
+           fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part.name,
                        rounded(p.x()), rounded(p.y()), rounded(p.z())),
            place, findings);
     }
@@ -79,9 +80,11 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
   add(source::DiagnosticId::MeshInward, defects.inward_shells);
   add(source::DiagnosticId::MeshStray, defects.stray_shells);
   add(source::DiagnosticId::MeshSelfContact, defects.self_contacts);
-  add(source::DiagnosticId::MeshFlat, defects.flat_facets);
+  if (!parts::is_step_file(part.file)) {  // those of such a file are of our own making
+    add(source::DiagnosticId::MeshFlat, defects.flat_facets);
+  }
   if (const std::string left = left_out(defects); !left.empty()) {
-    tell(source::DiagnosticId::MeshNotJudged, fmt::format(": of '{}' {}", part, left), place,
+    tell(source::DiagnosticId::MeshNotJudged, fmt::format(": of '{}' {}", part.name, left), place,
          findings);
   }
 }
@@ -111,7 +114,7 @@ std::optional<Refusal> add_part(const setup::Job& job, std::size_t which,
     return unusable(in_sheet, mesh_P.error());
   }
   if (part.shape.empty() && part.is_closed) {
-    add_findings(mesh_P.value(), part.name, in_sheet, goes_on, built.findings);
+    add_findings(mesh_P.value(), part, in_sheet, goes_on, built.findings);
   }
   add_rounding(mesh_P.value(), part.name, in_sheet, built.findings);
   const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
