@@ -15,6 +15,8 @@ using Why = std::optional<std::string>;
 using Ends = std::array<machine::Waypoint, 2>;
 
 constexpr double kContactErrorMm = 1e-6;
+/// Of sums of some coordinates.
+constexpr double kSumRoundingMm = 1e-9;
 
 }  // namespace
 
@@ -38,7 +40,7 @@ Why Reach::beyond_travel(const Point& p_P_ball) const {
   const AxisPositions q_M = axes_at(p_P_ball);
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const double limit = std::clamp(q_M[axis], way_.q_M_least[axis], way_.q_M_most[axis]);
-    if (q_M[axis] != limit) {
+    if (std::abs(q_M[axis] - limit) > kSumRoundingMm) {
       return fmt::format("axis {} would have to go to {:.3f} mm, its travel ends at {:g} mm",
                          kAxisLetters[static_cast<std::size_t>(axis)], q_M[axis], limit);
     }

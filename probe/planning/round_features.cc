@@ -9,7 +9,7 @@
 namespace g31::probe {
 namespace {
 
-constexpr double kSameMm = 1e-9;
+constexpr double kSameHeightMm = 1e-6;
 
 std::optional<std::size_t> measure_of(const InspectionPlan& plan, std::size_t feature, char axis,
                                       Characteristic what) {
@@ -50,7 +50,7 @@ std::optional<PlannedRound> round_of(const parts::Feature& feature, const Inspec
 std::string obstacle_of(const PlannedRound& round, const InspectionPlan& plan, double clear_z_P,
                         const IsBlocked& is_blocked) {
   for (const std::size_t index : round.points) {
-    if (std::abs(plan.points[index].at_P.z() - round.centre_P.z()) > kSameMm) {
+    if (std::abs(plan.points[index].at_P.z() - round.centre_P.z()) > kSameHeightMm) {
       return "its walls are not touched at one height";
     }
   }

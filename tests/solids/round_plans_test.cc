@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -144,6 +145,31 @@ TEST(RoundPlans, OfRandomHolesAndBossesAreThoseOfTheDrawing) {
   }
   EXPECT_GT(by_cycle[true], 3 * by_cycle[false]);
   EXPECT_GT(by_cycle[false], 0U);
+}
+
+// The touches begin 3 mm off the wall wherever the boss is, however its coordinates are rounded.
+TEST(RoundPlans, MeasureABossByTheCycleWhereverItIs) {
+  constexpr double kDiameter = 20.0;
+  const testing::TemporaryFolder folder;
+  for (const auto& [x, y] : {std::pair(48.7, 51.0), std::pair(48.7, 51.04), std::pair(47.3, 53.1),
+                             std::pair(52.6, 48.9)}) {
+    SCOPED_TRACE(fmt::format("boss at X{} Y{}", x, y));
+    plan::PlanRequest request;
+    request.product = folder.path("boss.step");
+    request.stock = "box";
+    request.control = "fanuc-30i";
+    request.folder = folder.path("");
+    testing::write_step(testing::cut(testing::block({{0, 0, -30}, {100, 100, 0}}),
+                                     {testing::cut(testing::block({{10, 10, -10}, {90, 90, 0}}),
+                                                   {testing::pin({x, y, -10}, kDiameter, 10)})}),
+                        "boss", request.product);
+    const auto planned = plan::plan_part(request);
+    ASSERT_TRUE(planned.ok()) << planned.error().message;
+    ASSERT_EQ(planned.value().plan.rounds.size(), 1U);
+    EXPECT_EQ(planned.value().plan.rounds[0].by_points, "");
+    expect_circle(planned.value(), planned.value().plan.rounds[0].feature,
+                  {x, y, kDiameter, 10.0, true, false}, false);
+  }
 }
 
 }  // namespace

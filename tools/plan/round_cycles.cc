@@ -70,9 +70,10 @@ std::string why_not_cycled(const setup::Job& job, const ProgramOptions& options)
 std::string why_no_room(const probe::PlannedRound& round, const ProgramOptions& options) {
   constexpr double kBackMm = 3.0;
   constexpr double kFreeMm = 0.5;
+  constexpr double kRoundingMm = 1e-6;  // of differences of coordinates
   const double room = round.is_standing ? round.approach_mm + kFreeMm
                                         : round.diameter_mm - 2.0 * options.ball_radius_mm;
-  return room < kBackMm + kFreeMm
+  return room < kBackMm + kFreeMm - kRoundingMm
              ? fmt::format("O9010 draws back by {:g} mm, for which there is no room", kBackMm)
              : "";
 }
