@@ -158,13 +158,12 @@ class Planner {
     const double error = feature.is_round || feature.corner_radius_mm > 0.0
                              ? std::max(options_.surface_error_mm, 2.0 * feature.facet_error_mm)
                              : 0.0;
-    if (places.empty()) {
-      why = fmt::format("the ball of {:g} mm does not fit between its edges",
-                        2.0 * options_.ball_radius_mm);
+    if (places.points.empty()) {
+      why = places.why_none;
       return std::nullopt;
     }
     std::string first_why;
-    for (const PlannedPoint& place : places) {
+    for (const PlannedPoint& place : places.points) {
       const auto problem = unreachable_(place, error);
       if (!problem) {
         PlannedPoint chosen = place;
@@ -177,7 +176,7 @@ class Planner {
         first_why = fmt::format("not at {}: {}", shown(place.at_P), *problem);
       }
     }
-    why = fmt::format("no place of {} on the face is reached; {}", places.size(), first_why);
+    why = fmt::format("no place of {} on the face is reached; {}", places.points.size(), first_why);
     return std::nullopt;
   }
 

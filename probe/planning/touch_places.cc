@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace g31::probe {
 namespace {
@@ -11,6 +14,8 @@ using parts::Side;
 
 /// Of a ball from what it must not touch.
 constexpr double kFreeMm = 0.5;
+/// A feature that is as large as a limit may be less by the rounding of its coordinates.
+constexpr double kRoundingMm = 1e-6;
 constexpr int kSteps = 4;  // to each side of the wanted place
 
 int axis_of(Side side) {
@@ -28,6 +33,12 @@ Point outwards(Side side) {
 }
 
 struct Range {
+  Range(double lower, double upper) : from(lower), to(upper) {
+    if (from > to && from <= to + kRoundingMm) {
+      from = to = (from + to) / 2;
+    }
+  }
+
   double from;
   double to;
 
@@ -69,7 +80,7 @@ class PlacesOnFace {
   }
 
   /// The nearest to the first one first.
-  TouchPlaces places() && {
+  std::vector<PlannedPoint> places() && {
     if (!places_.empty()) {
       const Point wanted = places_.front().at_P;
       std::ranges::stable_sort(places_, {}, [&wanted](const PlannedPoint& point) {
@@ -83,7 +94,7 @@ class PlacesOnFace {
   const PlacedOn& on_;
   Point normal_own_;
   double approach_;
-  TouchPlaces places_;
+  std::vector<PlannedPoint> places_;
 };
 
 /// Of a side: the axis that runs along it.
@@ -107,6 +118,15 @@ Range across_range(const PlacedOn& on, Side side) {
   return feature.is_round || range.is_empty() ? Range{middle, middle} : range;
 }
 
+/// Why a wall is touched nowhere.
+std::string too_low(const PlacedOn& on) {
+  return fmt::format(
+      "the ball of {:g} mm stays {:g} mm above the floor, so it touches a wall {:.6g} mm above it; "
+      "its walls go up to {:.6g} mm",
+      2.0 * on.ball_radius_mm, kFreeMm, on.ball_radius_mm + kFreeMm,
+      on.feature.walls_to_z - on.feature.own.min.z());
+}
+
 /// A face at a side of a feature, own axes.
 struct SideFace {
   Side side;
@@ -118,6 +138,9 @@ struct SideFace {
 };
 
 TouchPlaces side_places(const PlacedOn& on, const SideFace& face) {
+  if (face.heights.is_empty()) {
+    return {{}, too_low(on)};
+  }
   const int across = across_of(face.side);
   PlacesOnFace places(on, face.normal, face.approach);
   for (const double z : values_of(face.heights, face.wanted_z)) {
@@ -129,7 +152,7 @@ TouchPlaces side_places(const PlacedOn& on, const SideFace& face) {
       places.add(at);
     }
   }
-  return std::move(places).places();
+  return {std::move(places).places(), ""};
 }
 
 double at_side(const parts::Box& box, Side side) {
@@ -156,7 +179,8 @@ TouchPlaces standing_wall_places(const PlacedOn& on, Side side) {
                                          approach,
                                          {least_z_of(on), feature.walls_to_z},
                                          feature.own.max.z() - on.distances.depth});
-    all.insert(all.end(), places.begin(), places.end());
+    all.points.insert(all.points.end(), places.points.begin(), places.points.end());
+    all.why_none = places.why_none;
   }
   return all;
 }
@@ -184,10 +208,30 @@ TouchPlaces places_beside(const PlacedOn& on, double z, double beside, const IsW
         places.add(at);
       }
       auto found = std::move(places).places();
-      all.insert(all.end(), found.begin(), found.end());
+      all.points.insert(all.points.end(), found.begin(), found.end());
     }
   }
   return all;
+}
+
+/// Why no place within the sides of a feature is so far from all of them.
+std::string too_narrow(const PlacedOn& on, double inset) {
+  const parts::Feature& feature = on.feature;
+  const Point size = feature.own.max - feature.own.min;
+  const int axis = size.x() <= size.y() ? 0 : 1;
+  const char* const name = axis == 0 ? "X" : "Y";
+  if (feature.is_standing()) {
+    return fmt::format("its top is {:.6g} mm wide in {}; a touch stays {:g} mm off its edges",
+                       size[axis], name, inset);
+  }
+  const std::string rounding =
+      feature.floor_radius_mm > 0.0
+          ? fmt::format(" and the rounding of {:.6g} mm at its floor", feature.floor_radius_mm)
+          : "";
+  return fmt::format(
+      "the ball of {:g} mm with {:g} mm free on each side{} takes {:.6g} mm; its walls are {:.6g} "
+      "mm apart in {}",
+      2.0 * on.ball_radius_mm, kFreeMm, rounding, 2.0 * inset, size[axis], name);
 }
 
 /// On the level face within the walls of a feature, first in its middle.
@@ -197,13 +241,16 @@ TouchPlaces places_within(const PlacedOn& on, double z, double inset) {
   const auto range = [&](int axis) {
     return Range{feature.own.min[axis] + inset, feature.own.max[axis] - inset};
   };
+  if (range(0).is_empty() || range(1).is_empty()) {
+    return {{}, too_narrow(on, inset)};
+  }
   PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
   for (const double x : values_of(range(0), middle_of(feature.own, 0))) {
     for (const double y : values_of(range(1), middle_of(feature.own, 1))) {
       places.add({x, y, z});
     }
   }
-  return std::move(places).places();
+  return {std::move(places).places(), ""};
 }
 
 }  // namespace
@@ -219,8 +266,11 @@ TouchPlaces wall_places(const PlacedOn& on, Side side) {
   const double room = (feature.own.max[axis] - feature.own.min[axis]) / 2 - on.ball_radius_mm;
   const double approach =
       feature.is_open(facing) ? on.distances.approach : std::min(on.distances.approach, room);
-  if (approach <= 0.0) {
-    return {};
+  if (approach < kRoundingMm) {
+    return {{},
+            fmt::format("the ball of {:g} mm does not fit between its walls, which are {:.6g} mm "
+                        "apart",
+                        2.0 * on.ball_radius_mm, feature.own.max[axis] - feature.own.min[axis])};
   }
   return side_places(on, {side,
                           at_side(feature.own, side),

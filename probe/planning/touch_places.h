@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "parts/features/feature.h"
@@ -10,8 +11,11 @@
 namespace g31::probe {
 
 /// Where a face may be touched: first where the method wants it, then along the face, near places
-/// before far ones.  Empty: the ball does not get between its edges at all.
-using TouchPlaces = std::vector<PlannedPoint>;
+/// before far ones.
+struct TouchPlaces {
+  std::vector<PlannedPoint> points;
+  std::string why_none;  ///< what is too small for the ball, where there are none
+};
 
 /// What the places of one part are made from.
 struct PlacedOn {

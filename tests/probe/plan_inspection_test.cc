@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace g31::probe::plan_inspection_test {
@@ -165,12 +166,58 @@ TEST(PlanInspection, LeavesASizeOutWithTheReasonWhereNoPlaceIsReached) {
   EXPECT_NE(find(plan, "F1.Y"), nullptr);
 }
 
+// A ball of 6 mm, with half a millimetre free on each side of it.
 TEST(PlanInspection, LeavesOutWhatTheBallDoesNotFitInto) {
-  const auto part =
-      part_with(feature(FeatureKind::ClosedPocket, {{20, 20, -12}, {25, 50, 0}}, {Side::ZPlus}));
-  const InspectionPlan plan = plan_inspection(part, kBlock, {}, never);
-  ASSERT_FALSE(plan.left_out.empty());
-  EXPECT_EQ(plan.left_out[0].why, "the ball of 6 mm does not fit between its edges");
+  struct Case {
+    parts::Box box;
+    double floor_radius;
+    std::string left_out;
+  };
+  const Case cases[] = {
+      {{{20, 20, -12}, {25, 50, 0}},
+       0.0,
+       "X: the ball of 6 mm does not fit between its walls, which are 5 mm apart\n"
+       "Z: the ball of 6 mm with 0.5 mm free on each side takes 7 mm; its walls are 5 mm apart in "
+       "X\n"},
+      {{{20, 20, -12}, {50, 26.8, 0}},
+       0.0,
+       "Z: the ball of 6 mm with 0.5 mm free on each side takes 7 mm; its walls are 6.8 mm apart "
+       "in "
+       "Y\n"},
+      {{{20, 20, -12}, {30, 50, 0}},
+       2.0,
+       "Z: the ball of 6 mm with 0.5 mm free on each side and the rounding of 2 mm at its floor "
+       "takes 11 mm; its walls are 10 mm apart in X\n"},
+      {{{20, 20, -3.25}, {60, 50, 0}},
+       0.0,
+       "X: the ball of 6 mm stays 0.5 mm above the floor, so it touches a wall 3.5 mm above it; "
+       "its "
+       "walls go up to 3.25 mm\n"
+       "Y: the ball of 6 mm stays 0.5 mm above the floor, so it touches a wall 3.5 mm above it; "
+       "its "
+       "walls go up to 3.25 mm\n"},
+  };
+  for (const Case& row : cases) {
+    Feature pocket = feature(FeatureKind::ClosedPocket, row.box, {Side::ZPlus});
+    pocket.floor_radius_mm = row.floor_radius;
+    std::string left_out;
+    for (const LeftOut& size : plan_inspection(part_with(pocket), kBlock, {}, never).left_out) {
+      left_out += fmt::format("{}: {}\n", size.axis, size.why);
+    }
+    EXPECT_EQ(left_out, row.left_out);
+  }
+}
+
+// Edges at any place: differences of their coordinates come out below the limits by a rounding.
+TEST(PlanInspection, MeasuresWhatIsJustAsLargeAsTheBallNeedsWhereverItIs) {
+  for (int i = 0; i < 200; ++i) {
+    const double x = 20.0 + 0.37 * i;
+    const double y = 10.0 + 0.13 * i;
+    const auto part = part_with(
+        feature(FeatureKind::ClosedPocket, {{x, y, -3.5}, {x + 7.0, y + 7.0, 0}}, {Side::ZPlus}));
+    const InspectionPlan plan = plan_inspection(part, {{0, 0, -40}, {200, 110, 0}}, {}, never);
+    EXPECT_TRUE(plan.left_out.empty()) << x << ' ' << y << ' ' << plan.left_out.front().why;
+  }
 }
 
 TEST(PlanInspection, MeasuresATurnedPocketAlongItsOwnAxes) {
