@@ -48,6 +48,8 @@ struct Feature {
   OwnAxes axes;                     ///< of a round one those of the product
   Box own;                          ///< from wall to wall, in its own axes
   std::array<bool, kSides> open{};  ///< by Side, in its own axes
+  /// Open sides that are not at right angles to its walls; by Side.
+  std::array<bool, kSides> slanting{};
   /// Heights between which its walls are upright: below a chamfer, above a rounded floor edge.
   double walls_from_z = 0.0;
   double walls_to_z = 0.0;
@@ -58,6 +60,9 @@ struct Feature {
   double facet_error_mm = 0.0;    ///< how far facets are from the round walls that they stand for
 
   [[nodiscard]] bool is_open(Side side) const { return open[static_cast<std::size_t>(side)]; }
+  [[nodiscard]] bool is_slanting(Side side) const {
+    return slanting[static_cast<std::size_t>(side)];
+  }
   /// Whether it is of material and not of air: its walls look outwards, its floor is around it.
   [[nodiscard]] bool is_standing() const {
     return kind == FeatureKind::Boss || kind == FeatureKind::Rib;
@@ -76,6 +81,7 @@ struct RecognisedPart {
   std::vector<Feature> features;       ///< by the lower corner of their boxes: X, then Y, then Z
   std::vector<UnknownVolume> unknown;  ///< in the same order
   std::vector<DrawnDimension> dimensions = {};  ///< that the model states
+  double face_error_mm = 0.0;  ///< how far plane faces may be off: those of a mesh, for rounding
 };
 
 }  // namespace g31::parts

@@ -40,6 +40,7 @@ class OutlineFinder {
                 Outline& outline)
       : volume_(volume),
         sorted_(sorted),
+        same_mm_(kSamePlaceMm + kFaceErrorInRoundings * volume.rounding_mm),
         outwards_(from == SeenFrom::Inside ? 1.0 : -1.0),
         outline_(outline) {}
 
@@ -65,13 +66,14 @@ class OutlineFinder {
     const auto largest = std::ranges::max_element(
         sorted_.walls, {}, [](const RemovedFace* face) { return face->area_mm2; });
     outline_.axes.angle_deg = angle_of((*largest)->normal_P);
+    axes_error_ = direction_error(**largest);
     for (const RemovedFace* wall : sorted_.walls) {
       const Point normal = outwards_ * outline_.axes.own_of(wall->normal_P);
       const Side side = side_of(normal);
-      if ((normal - direction_of(side)).norm() > 10.0 * kSameDirection) {
+      if (!is_at_right_angles(*wall, normal, side)) {
         return "its walls do not stand at right angles to each other";
       }
-      if (auto why = close(side, reach(side, wall->at_P))) {
+      if (auto why = close(side, reach(side, wall->at_P), same_mm_)) {
         return why;
       }
     }
@@ -83,7 +85,24 @@ class OutlineFinder {
     return direction_of(side).dot(outline_.axes.own_of(p_P));
   }
 
-  Why close(Side side, double how_far, double same_mm = kSamePlaceMm) {
+  /// By how much the rounding of its corners turns a plane, seen from above, rad.
+  [[nodiscard]] double direction_error(const RemovedFace& face) const {
+    Box box;
+    for (const Point& p : face.border_P) {
+      box.include(p);
+    }
+    const double width = std::hypot(box.max.x() - box.min.x(), box.max.y() - box.min.y());
+    constexpr double kBothEnds = 4.0;  // in X and in Y
+    return width > 0.0 ? kBothEnds * volume_.rounding_mm / width : 0.0;
+  }
+
+  [[nodiscard]] bool is_at_right_angles(const RemovedFace& face, const Point& normal_own,
+                                        Side side) const {
+    return (normal_own - direction_of(side)).norm() <=
+           10.0 * kSameDirection + axes_error_ + direction_error(face);
+  }
+
+  Why close(Side side, double how_far, double same_mm) {
     OutlineSide& closed = at(side);
     if (closed.is_wall && std::abs(closed.at - how_far) > same_mm) {
       return kNoRectangle;
@@ -100,11 +119,14 @@ class OutlineFinder {
       if (std::abs(face->normal_P.z()) > 0.5) {
         continue;  // above or below
       }
-      const Side side = side_of(outline_.axes.own_of(face->normal_P));
+      const Point normal = outline_.axes.own_of(face->normal_P);
+      const Side side = side_of(normal);
       if (at(side).is_wall) {
         return fmt::format("its {} side is open in part only", name_of(side));
       }
       at(side).is_open = true;
+      at(side).is_slanting = at(side).is_slanting || face->surface != FaceSurface::Plane ||
+                             !is_at_right_angles(*face, normal, side);
       at(side).at = farthest(side);
     }
     return std::nullopt;
@@ -123,7 +145,7 @@ class OutlineFinder {
   Why take_corners() {
     for (const RemovedFace* corner : sorted_.corners) {
       int touched = 0;
-      const double same_mm = corner->facet_error_mm > 0.0 ? kSameCircleMm : kSamePlaceMm;
+      const double same_mm = corner->facet_error_mm > 0.0 ? kSameCircleMm : same_mm_;
       for (const Side side : kUprightSides) {
         const double how_far = reach(side, corner->axis_at_P) + corner->radius_mm;
         if (!reaches(*corner, side, how_far - same_mm)) {
@@ -150,7 +172,9 @@ class OutlineFinder {
 
   const RemovedVolume& volume_;
   const SortedFaces& sorted_;
-  double outwards_;  // of a wall's normal, which shows out of the removed volume
+  double same_mm_;
+  double axes_error_ = 0.0;  // rad
+  double outwards_;          // of a wall's normal, which shows out of the removed volume
   Outline& outline_;
 };
 

@@ -32,8 +32,9 @@ std::optional<std::string> sort_faces(const RemovedVolume& volume, const SortedF
 /// What closes one side of a volume.
 struct OutlineSide {
   bool is_open = false;
-  bool is_wall = false;  ///< a plane, or the round end of a slot
-  double at = 0.0;       ///< how far out it is, in own axes along the side's direction
+  bool is_wall = false;      ///< a plane, or the round end of a slot
+  bool is_slanting = false;  ///< open, and not at right angles to the walls
+  double at = 0.0;           ///< how far out it is, in own axes along the side's direction
 };
 
 /// A rectangle seen from above, each side a wall or open.

@@ -93,7 +93,8 @@ class Recogniser {
 
   /// How much of the plane it takes, mm^2; nothing: chamfers, roundings or slanting ends change it.
   [[nodiscard]] std::optional<double> footprint() const {
-    const bool has_slanting_ends = from_ == SeenFrom::Inside && feature_.axes.angle_deg != 0.0;
+    const bool has_slanting_ends =
+        std::ranges::find(feature_.slanting, true) != feature_.slanting.end();
     if (!sorted_.edges.empty() || has_slanting_ends) {
       return std::nullopt;
     }
@@ -185,6 +186,7 @@ class Recogniser {
     feature_.box_P = outline.axes.angle_deg == 0.0 ? feature_.own : rounded(box_of_faces());
     for (std::size_t side = 0; side < sides.size(); ++side) {
       feature_.open[side] = sides[side].is_open;
+      feature_.slanting[side] = sides[side].is_slanting;
     }
     return std::nullopt;
   }
@@ -218,8 +220,11 @@ class Recogniser {
     }
     // Facets cut corners: 30 deg wide ones 5 percent of a hole.
     const double share = has_facets() ? 0.05 : 1e-6;
-    const double whole = (*area - islands_mm2) * (feature_.own.max.z() - feature_.own.min.z());
-    return std::abs(volume_.volume_mm3 - whole) < share * whole + kSamePlaceMm;
+    const Point size = feature_.own.max - feature_.own.min;
+    const double whole = (*area - islands_mm2) * size.z();
+    const double surface = 2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
+    const double rounding = kFaceErrorInRoundings * volume_.rounding_mm * surface;
+    return std::abs(volume_.volume_mm3 - whole) < share * whole + kSamePlaceMm + rounding;
   }
 
   Why take_kind() {
@@ -319,6 +324,7 @@ RecognisedPart recognise(const Box& stock_P, const std::vector<RemovedVolume>& v
   RecognisedPart part;
   part.stock_P = rounded(stock_P);
   for (const RemovedVolume& volume : volumes) {
+    part.face_error_mm = std::max(part.face_error_mm, kFaceErrorInRoundings * volume.rounding_mm);
     Found found = found_in(volume);
     std::ranges::move(found.features, std::back_inserter(part.features));
     if (found.problem) {

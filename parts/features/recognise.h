@@ -11,6 +11,10 @@ namespace g31::parts {
 inline constexpr double kSamePlaceMm = 1e-6;
 inline constexpr double kSameDirection = 1e-7;
 
+/// How far a plane through rounded corners may be off, in roundings: it is drawn on from facets
+/// that are shorter than the face.
+inline constexpr double kFaceErrorInRoundings = 8.0;
+
 /// Names what was cut out of a block: Murase's eight kinds by their open sides, turned about Z too,
 /// with corner radii, with chamfers at the upper edge and rounded edges of the floor.  What stands
 /// free in it, round or a rectangle, is a boss or a rib, from the floor around it to its top; where

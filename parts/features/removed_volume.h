@@ -33,6 +33,7 @@ struct RemovedVolume {
   /// Whether it is beside the product's box, seen from above, not divided any further: the stock is
   /// wider there.
   bool is_beside = false;
+  double rounding_mm = 0.0;  ///< by how much coordinates of the meshes that it is from may be off
 };
 
 }  // namespace g31::parts

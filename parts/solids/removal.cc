@@ -83,6 +83,10 @@ Result<Removal, std::string> removal_of(const std::string& product, const StockC
   }
   Removal of_mesh = removal.value();
   std::ranges::for_each(of_mesh.volumes, find_round_walls);
+  const double of_stock = request.stock ? request.stock->mesh.rounding_mm : 0.0;
+  for (RemovedVolume& volume : of_mesh.volumes) {
+    volume.rounding_mm = std::max(request.product.mesh.rounding_mm, of_stock);
+  }
   return of_mesh;
 }
 

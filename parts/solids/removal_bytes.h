@@ -25,6 +25,7 @@ void pass(Stream& stream, RemovedVolume& volume) {
   pass(stream, volume.volume_mm3);
   pass(stream, volume.faces);
   pass(stream, volume.is_beside);
+  pass(stream, volume.rounding_mm);
 }
 
 template <typename Stream>

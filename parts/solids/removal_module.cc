@@ -22,6 +22,7 @@
 #include <fmt/format.h>
 #include <gp_Pln.hxx>
 
+#include "parts/features/recognise.h"
 #include "parts/solids/described_face.h"
 #include "parts/solids/solid_shape.h"
 
@@ -61,12 +62,13 @@ Result<TopoDS_Shape, std::string> stock_shape(const RemovalRequest& request, con
 }
 
 /// By how much the product is outside of the stock; "": it is not.
-std::string outside(const Box& product_P, const Box& stock_P) {
+/// @param same_mm  counts for nothing
+std::string outside(const Box& product_P, const Box& stock_P, double same_mm) {
   constexpr const char* kAxes[] = {"X", "Y", "Z"};
   for (int axis = 0; axis < 3; ++axis) {
     const double minus = stock_P.min[axis] - product_P.min[axis];
     const double plus = product_P.max[axis] - stock_P.max[axis];
-    if (std::max(minus, plus) > kSameHeightMm) {
+    if (std::max(minus, plus) > same_mm) {
       return fmt::format(
           "the product is {:.6g} mm outside of the stock on its {}{} side; both files have one "
           "coordinate system, and the stock is the larger one",
@@ -78,11 +80,14 @@ std::string outside(const Box& product_P, const Box& stock_P) {
 
 class Remover {
  public:
-  Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock, const Removal& boxes)
+  /// @param same_mm  planes of the two that are not farther apart are one: those of rounded meshes
+  Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock, const Removal& boxes,
+          double same_mm)
       : product_(product),
         stock_(stock),
         product_P_(boxes.product_P),
         stock_P_(boxes.stock_P),
+        same_mm_(same_mm),
         describer_(product) {}
 
   /// @returns why it cannot be done
@@ -92,6 +97,7 @@ class Remover {
     BRepAlgoAPI_Cut cut;
     cut.SetArguments(stock);
     cut.SetTools(product);
+    cut.SetFuzzyValue(same_mm_);
     cut.Build();
     if (cut.HasErrors() || !cut.IsDone()) {
       return "Open CASCADE cannot cut the product out of the stock; is one of them no clean solid?";
@@ -203,6 +209,7 @@ class Remover {
   TopoDS_Shape stock_;
   Box product_P_;
   Box stock_P_;
+  double same_mm_;
   FaceDescriber describer_;
 };
 
@@ -239,11 +246,15 @@ std::string remove(const RemovalRequest& request, Removal& removal) {
     return stock.error();
   }
   removal.stock_P = box_around(stock.value());
-  if (auto why = outside(removal.product_P, removal.stock_P); !why.empty()) {
+  const double rounding =
+      request.product.mesh.rounding_mm + (request.stock ? request.stock->mesh.rounding_mm : 0.0);
+  if (auto why = outside(removal.product_P, removal.stock_P, kSameHeightMm + rounding);
+      !why.empty()) {
     return why;
   }
   removal.dimensions = drawn(product.value());
-  return Remover(product.value().shape, stock.value(), removal).remove(removal.volumes);
+  return Remover(product.value().shape, stock.value(), removal, kFaceErrorInRoundings * rounding)
+      .remove(removal.volumes);
 }
 
 }  // namespace

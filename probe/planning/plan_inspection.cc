@@ -68,12 +68,12 @@ class Planner {
       add_between(on, axis, wall_places(on, minus), wall_places(on, plus));
       return;
     }
-    if (on.feature.axes.angle_deg != 0.0) {
+    const Side wall = is_plus_open ? minus : plus;
+    const Side open = is_plus_open ? plus : minus;
+    if (on.feature.is_slanting(open)) {
       leave_out(axis, "its open side is not at right angles to its walls");
       return;
     }
-    const Side wall = is_plus_open ? minus : plus;
-    const Side open = is_plus_open ? plus : minus;
     add_between(on, axis, wall_places(on, wall), outer_places(on, open));
   }
 
@@ -155,9 +155,10 @@ class Planner {
   std::optional<PlannedPoint> choose(const Feature& feature, const TouchPlaces& places,
                                      std::string& why) const {
     // Each facet may be off by twice its sagitta, as a ball in its corner is.
-    const double error = feature.is_round || feature.corner_radius_mm > 0.0
-                             ? std::max(options_.surface_error_mm, 2.0 * feature.facet_error_mm)
-                             : 0.0;
+    const bool has_arcs = feature.is_round || feature.corner_radius_mm > 0.0;
+    const double of_arcs =
+        has_arcs ? std::max(options_.surface_error_mm, 2.0 * feature.facet_error_mm) : 0.0;
+    const double error = part_.face_error_mm + of_arcs;
     if (places.points.empty()) {
       why = places.why_none;
       return std::nullopt;

@@ -70,8 +70,9 @@ Why Reach::problem(const PlannedPoint& point, double surface_error_mm) {
   const double expected = (point.start_P - point.at_P).dot(point.normal_P) - way_.ball_radius_mm;
   const double run = signal->fraction * (end - point.start_P).norm();
   if (std::abs(run - expected) > kContactErrorMm + surface_error_mm) {
-    return fmt::format("the ball touches {:.3f} mm {}", std::abs(run - expected),
-                       run < expected ? "earlier" : "later");
+    const double off = std::abs(run - expected);
+    const std::string shown = off < 0.001 ? fmt::format("{:.1g}", off) : fmt::format("{:.3f}", off);
+    return fmt::format("the ball touches {} mm {}", shown, run < expected ? "earlier" : "later");
   }
   const Point touch = point.start_P - run * point.normal_P;
   if (auto why = obstacle(point.start_P, touch, machine::Travel::Skip)) {
