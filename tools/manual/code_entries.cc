@@ -26,6 +26,7 @@ constexpr auto kSaidInPlace = std::to_array<SaidInPlace>({
      "message says what met what, and where"},
     {"PRB504", "two programs have one number: the message says which, and where they are"},
     {"SET111", "a part cannot be made: the message says what is wrong with its file or shape"},
+    {"SET125", "there is no control of this name: the message says which there are"},
     {"SET126", "the control does not take a setting: the message says why"},
     {"SET127", "this is no assignment: the message says what is missing"},
     {"DAT113", "the record does not allow this evaluation: the message says why"},

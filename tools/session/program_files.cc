@@ -38,12 +38,13 @@ Result<ProgramFiles, std::string> ProgramFiles::open(const std::string& folder) 
     }
     auto content = disk.read(entry.path().string());
     if (!content) {
-      return fmt::format("control.files: cannot read {}", entry.path().string());
+      return fmt::format("{}: {}", entry.path().string(),
+                         disk::why_unreadable(entry.path().string()));
     }
     files.at_start_[entry.path().filename().string()] = *std::move(content);
   }
   if (error) {
-    return fmt::format("control.files: {}: {}", folder, error.message());
+    return error.message();
   }
   return files;
 }

@@ -17,7 +17,7 @@ class ProgramFiles {
   using Changes = std::map<std::string, std::string_view>;
 
   /// What lies in the folder; folders in it, hidden files and files of more than 16 MiB are none of
-  /// the program's.  @param folder  "": none.  @returns what is wrong with it
+  /// the program's.  @param folder  "": none.  @returns why it cannot be read
   static Result<ProgramFiles, std::string> open(const std::string& folder);
 
   [[nodiscard]] const Contents& at_start() const { return at_start_; }

@@ -2,10 +2,25 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/contract.h"
 #include "tools/disk/disk.h"
 #include "tools/session/variables_file.h"
 
 namespace g31::session {
+namespace {
+
+/// Of the folder of the program's files.
+Refusal unreadable_folder(const setup::Job& job, const std::string& why) {
+  const auto place = job.places.find("control.files");
+  G31_EXPECTS(place != job.places.end());
+  return {Ending::BadInput,
+          {},
+          {error_at(place->second, setup::SetupErrorId::FolderUnreadable,
+                    {"control.files", job.control.files_folder, why},
+                    "expected a folder that is there; paths start at the folder of the sheet")}};
+}
+
+}  // namespace
 
 Result<std::shared_ptr<Run>, Refusal> Run::open(const setup::Job& job, Programs& programs,
                                                 machine::MachinePort& machine,
@@ -17,7 +32,7 @@ Result<std::shared_ptr<Run>, Refusal> Run::open(const setup::Job& job, Programs&
   }
   auto files = ProgramFiles::open(job.control.files_folder);
   if (!files) {
-    return bad_input(files.error());
+    return unreadable_folder(job, files.error());
   }
   session->give_files(files.value().at_start());
   return std::shared_ptr<Run>(new Run(job, std::move(session), files.value()));
