@@ -119,7 +119,7 @@ TEST(DataFiles, AreRefusedWithTheLine) {
   const Case kCases[] = {
       {"empty", "", "data.csv: error: there is no line with the names of the columns [DAT101]"},
       {"comments only", "# nothing\n", "[DAT101]"},
-      {"no rows", "t,X,Y\n", "data.csv: error: there are no rows"},
+      {"no rows", "t,X,Y\n", "data.csv:1:1: error: there are no rows"},
       {"a missing column", "t,X,Z\n1,2,3\n",
        "data.csv:1:1: error: there is no column Y; the columns are t, X, Z [DAT103]"},
       {"a missing column, one with a comma in its name", "t,X,\"Y, mm\"\n1,2,3\n",

@@ -189,6 +189,17 @@ TEST(Allow, CommentsOfProgramsSilenceTheirLines) {
   }
 }
 
+TEST(Allow, TakesCodesInSmallLetters) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nG31 X9. F100.\nM30\n");
+  for (const char* const code : {"PRB301", "prb301", "Prb301"}) {
+    const auto options = testing::parsed_run_options({program, "--allow", code});
+    ASSERT_TRUE(options.ok()) << options.error();
+    EXPECT_EQ(run_program(options.value()).exit_code, 0) << code;
+  }
+  EXPECT_FALSE(testing::parsed_run_options({program, "--allow", "prb999"}).ok());
+}
+
 TEST(Allow, ACommentWithoutUseHasItsPlace) {
   const RunOutput output = run_of("a.nc", "O1\nG0X0 (g31: allow PRB301 old)\nM30\n");
   EXPECT_EQ(output.exit_code, 0);

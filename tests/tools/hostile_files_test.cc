@@ -215,10 +215,12 @@ TEST(RunOptions, NumbersThatAreNoneAreRefused) {
         std::tuple{"--max-time", "0", "0 is not a number of seconds above 0"},
         std::tuple{"--max-time=-1", "", "-1 is not a number of seconds above 0"},
         std::tuple{"--max-time", "1e999", "1e999 is not a number of seconds above 0"},
-        std::tuple{"--max-blocks=-1", "", "-1 is not a whole number of 0 or more"},
-        std::tuple{"--max-blocks", "1.5", "1.5 is not a whole number of 0 or more"},
-        std::tuple{"--seed=-1", "", "-1 is not a whole number of 0 or more"},
-        std::tuple{"--seed", "x", "x is not a whole number of 0 or more"}}) {
+        std::tuple{"--max-blocks=-1", "",
+                   "-1 is not a whole number from 0 to 18446744073709551615"},
+        std::tuple{"--max-blocks", "1.5",
+                   "1.5 is not a whole number from 0 to 18446744073709551615"},
+        std::tuple{"--seed=-1", "", "-1 is not a whole number from 0 to 18446744073709551615"},
+        std::tuple{"--seed", "x", "x is not a whole number from 0 to 18446744073709551615"}}) {
     SCOPED_TRACE(says);
     std::vector<std::string> words = {"case.nc", option};
     if (*value != '\0') {

@@ -240,13 +240,6 @@ class Manners(unittest.TestCase):
                 self.assertIn(f"{words[-1]}: Value {number} not in range", run.stderr)
         self.assertFalse((self.folder / "out").exists())
 
-    def test_a_seed_is_a_whole_number(self):
-        for words in (("run", "a.nc"), ("study", "a.toml")):
-            for number in ("1.5", "1e3", "-1", "nan"):
-                run = self.g31(*words, f"--seed={number}")
-                self.assertEqual(run.returncode, 2, run.stderr)
-                self.assertIn(f"--seed: {number} is not a whole number of 0 or more", run.stderr)
-
     def test_every_message_about_words_begins_alike(self):
         (self.folder / "a.nc").write_text(RUNS)
         for words in (("run",), ("run", "a.nc", "--lang", "de", "--report", "a.html"), ("run", "a.nc", "--seed", "x"),
@@ -335,6 +328,15 @@ class Manners(unittest.TestCase):
             (("study", "none.toml", "--threads", "0"), "study", 2),
             (("evaluate", "circle", "p.nc", "--none"), "evaluation", 2),
             (("scene", "p.nc"), "scene", 2),
+            (("scene", "p.nc", "-o", "nodir/x.svg"), "scene", 2),
+            (("scene", "p.nc", "-o", "p.nc"), "scene", 2),
+            (("run", "p.nc", "--trace", "p.nc"), "run", 2),
+            (("study", "none.toml", "--csv", "nodir/x.csv"), "study", 2),
+            (("study", "none.toml", "--svg", "nodir/x.svg"), "study", 2),
+            (("evaluate", "circle", "p.nc", "--svg", "nodir/x.svg"), "evaluation", 2),
+            (("explain",), "explain", 2),
+            (("explain", "--search"), "explain", 2),
+            (("explain", "foo", "--page", "x"), "explain", 2),
             (("plan", "none.step", "--stock", "box", "-o", "out"), "plan", 2),
             (("plan", "none.step", "--stock", "box"), "plan", 2),
             (("plan", "none.step", "--stock", "box", "-o", "p.nc"), "plan", 2),
@@ -379,11 +381,6 @@ class Manners(unittest.TestCase):
     def test_a_plan_writes_its_document_where_json_says(self):
         run = self.g31("plan", str(PRODUCT), "--stock", "box", "-o", "plan", "--json", "-", "-q")
         self.assertEqual((run.returncode, run.stdout), (0, (self.folder / "plan/plan.json").read_text()), run.stderr)
-
-    def test_no_topic_is_none(self):
-        run = self.g31("explain", "")
-        self.assertEqual((run.returncode, run.stdout), (2, ""))
-        self.assertIn("the word is empty", run.stderr)
 
     def test_explain_writes_its_document_where_json_says(self):
         beside = self.g31("explain", "G31", "--json").stdout

@@ -66,6 +66,9 @@ std::string check_document(std::span<const analysis::Finding> findings,
     document["findings"].push_back(std::move(row));
   }
   if (!unread.empty()) {
+    constexpr int kUnreadableInput = 2;
+    document["status"] = "usage";
+    document["exit_code"] = kUnreadableInput;
     document["diagnostics"] = Json::array();
     for (const std::string& message : unread) {
       document["diagnostics"].push_back(

@@ -19,12 +19,13 @@
 #include "tools/cli/progress.h"
 #include "tools/cli/read_input.h"
 #include "tools/cli/refusal_document.h"
-#include "tools/cli/run_inputs.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/remembering_disk.h"
 #include "tools/disk/shipped.h"
 #include "tools/session/library_folders.h"
 #include "tools/session/prepare.h"
+#include "tools/setup/job_files.h"
 #include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
@@ -145,12 +146,14 @@ std::optional<session::Refusal> hand_out(const CheckOptions& options, const Chec
 }
 
 /// What is to be checked, and as what: by the command line, else by the sheets.
-Result<check::Request, session::Refusal> request_of(const CheckOptions& options) {
+/// @param read  gets the files of the sheets, and those that they name
+Result<check::Request, session::Refusal> request_of(const CheckOptions& options, InputLists& read) {
   const auto job =
       setup::read_job(options.setups, disk::shipped_folder("machine/library").value_or(""));
   if (!job) {
     return session::refusal_of(job.error());
   }
+  read.push_back(setup::files_of(job.value()));
   check::Request request;
   request.setup = job.value().control;
   const auto control = session::named_control(options.control, job.value());
@@ -176,32 +179,25 @@ ExitCode list_rules(const CheckOptions& options) {
   return wrong ? refuse(*wrong) : ExitCode::Completed;
 }
 
-}  // namespace
-
-ExitCode check_command(const CheckOptions& options) {
+std::vector<OutputPlace> check_outputs(const CheckOptions& options) {
   const bool is_for_people = options.format == CheckOptions::Format::Text;
-  if (const auto wrong =
-          wrong_outputs({{"--json", options.json, true}, {"--format", is_for_people ? "" : "-"}},
-                        {options.files, options.setups, {options.baseline}})) {
-    return refuse(*wrong);
-  }
-  if (const auto wrong = why_not(options)) {
-    return refuse(*wrong, options.json, kSchema);
-  }
-  if (options.lists_rules) {
-    return list_rules(options);
-  }
+  return {{"--json", options.json, true}, {"--format", is_for_people ? "" : "-"}};
+}
+
+/// Checks the programs and says what is wrong with them.
+/// @param read  gets what is read beside the files of the command line
+Result<ExitCode, session::Refusal> do_check(const CheckOptions& options, InputLists& read) {
   const auto baseline = baseline_of(options);
   if (!baseline) {
-    return refuse(baseline.error(), options.json, kSchema);
+    return baseline.error();
   }
-  const auto requested = request_of(options);
+  const auto requested = request_of(options, read);
   if (!requested) {
-    return refuse(requested.error(), options.json, kSchema);
+    return requested.error();
   }
   check::Request request = requested.value();
   disk::Disk disk;
-  RememberingDisk remembering(disk);
+  disk::RememberingDisk remembering(disk);
   source::SourceMap sources(remembering);
   check::Findings checked;
   {
@@ -209,15 +205,15 @@ ExitCode check_command(const CheckOptions& options) {
     request.file_done = [&] { progress.one_done(); };
     checked = check::check(request, sources);
   }
-  if (const auto wrong = wrong_place({{"--json", options.json}},
-                                     {{remembering.paths().begin(), remembering.paths().end()}})) {
-    return refuse(*wrong);
+  read.push_back(remembering.paths());
+  if (const auto wrong = wrong_place(check_outputs(options), read)) {
+    return *wrong;
   }
   const std::vector<session::Refusal> missing = left_out(request, checked);
   const CheckFindings found = without_rules(
       baseline.value().without_known(std::move(checked.found), sources), options.disabled);
   if (const auto wrong = hand_out(options, found, missing, sources)) {
-    return refuse(*wrong);
+    return *wrong;
   }
   for (const session::Refusal& one : missing) {
     (void)refuse(one);
@@ -229,6 +225,27 @@ ExitCode check_command(const CheckOptions& options) {
     return level_of(finding) >= options.fail_on;
   });
   return fails ? ExitCode::Findings : ExitCode::Completed;
+}
+
+}  // namespace
+
+ExitCode check_command(const CheckOptions& options) {
+  const std::vector<OutputPlace> outputs = check_outputs(options);
+  InputLists read = {options.files, options.setups, {options.baseline}};
+  const auto refused = [&](const session::Refusal& wrong) {
+    return refuse(wrong, sound_place("--json", outputs, read), kSchema);
+  };
+  if (const auto wrong = wrong_outputs(outputs, read)) {
+    return refused(*wrong);
+  }
+  if (const auto wrong = why_not(options)) {
+    return refused(*wrong);
+  }
+  if (options.lists_rules) {
+    return list_rules(options);
+  }
+  const auto done = do_check(options, read);
+  return done ? done.value() : refused(done.error());
 }
 
 }  // namespace g31::cli

@@ -160,23 +160,38 @@ struct RefusedWords {
   std::vector<std::string> others;
 };
 
+/// Of `explain`, whose --json alone means standard output, or the one word that is a file.
+void find_file_of_explain(RefusedWords& refused) {
+  const auto file = std::ranges::find_if(refused.others, is_file_of_explain);
+  refused.json = file == refused.others.end() ? "-" : *file;
+  if (file != refused.others.end()) {
+    refused.others.erase(file);
+  }
+}
+
 RefusedWords refused_words(std::span<const std::string> words) {
   constexpr std::string_view kOption = "--json";
   RefusedWords refused;
+  bool is_alone = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const std::size_t value = word.starts_with("--") ? word.find('=') + 1 : 0;
     const std::string next = i + 1 < words.size() ? words[i + 1] : "";
-    const bool is_place = words.front() == "explain" ? next.ends_with(".json")
-                                                     : !next.starts_with('-') || next == "-";
+    const bool is_explain = words.front() == "explain";
+    const bool is_place = !is_explain && (!next.starts_with('-') || next == "-");
     if (word == kOption && is_place) {
       refused.json = next;
       ++i;
+    } else if (word == kOption && is_explain) {
+      is_alone = true;
     } else if (value == kOption.size() + 1 && word.starts_with(kOption)) {
       refused.json = word.substr(value);
     } else {
       refused.others.push_back(word.substr(value));
     }
+  }
+  if (is_alone && refused.json.empty()) {
+    find_file_of_explain(refused);
   }
   return refused;
 }

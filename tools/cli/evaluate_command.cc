@@ -29,6 +29,7 @@
 namespace g31::cli {
 namespace {
 
+constexpr std::string_view kEvaluationSchema = "g31.evaluation/1";
 constexpr InputLimit kLargestRecord{kMostDataBytes, "leave out rows that say nothing new"};
 
 /// What an option that names a file says; "": it was not given.
@@ -246,15 +247,16 @@ Wrong evaluate_and_write(const EvaluateOptions& options, evaluate::Request& requ
 ExitCode evaluate_command(const EvaluateOptions& options) {
   const disk::WaitingLimit limit(options.max_time_s);
   const auto refused = [&options](const session::Refusal& wrong) {
-    return refuse(wrong, options.json, "g31.evaluation/1");
+    return refuse(wrong, options.json, kEvaluationSchema);
   };
-  if (const auto wrong = wrong_outputs(
-          {{"--json", options.json, true},
-           {"--svg", options.svg, true},
-           {"--report", options.report},
-           {"--compensation", file_given(options, evaluate::OptionId::Compensation), true}},
-          {{options.file, file_given(options, evaluate::OptionId::Diameters)}})) {
-    return refuse(*wrong);
+  const std::vector<OutputPlace> outputs = {
+      {"--json", options.json, true},
+      {"--svg", options.svg, true},
+      {"--report", options.report},
+      {"--compensation", file_given(options, evaluate::OptionId::Compensation), true}};
+  const InputLists inputs = {{options.file, file_given(options, evaluate::OptionId::Diameters)}};
+  if (const auto wrong = wrong_outputs(outputs, inputs)) {
+    return refuse(*wrong, sound_place("--json", outputs, inputs), kEvaluationSchema);
   }
   const auto asked = evaluate_request(options);
   if (!asked) {

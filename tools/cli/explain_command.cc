@@ -109,6 +109,7 @@ std::string text_of(const Found& found) {
 struct Answer {
   runtime::Entries entries;
   std::vector<Found> found;
+  std::vector<session::Refusal> unknown;  ///< why there is nothing of the others
 };
 
 std::string text_of(const Answer& answer) {
@@ -135,19 +136,27 @@ std::string document_of(const Answer& answer, std::string_view control) {
     }
     document["found"].push_back({{"words", found.words}, {"entries", std::move(entries)}});
   }
-  return document.dump(2) + "\n";
+  if (!answer.unknown.empty()) {
+    document["status"] = "usage";
+    document["exit_code"] = static_cast<int>(ExitCode::BadUsage);
+    document["diagnostics"] = Json::array();
+  }
+  for (const session::Refusal& one : answer.unknown) {
+    document["diagnostics"].push_back(
+        {{"severity", "error"}, {"code", ""}, {"message", one.message}});
+  }
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string unknown_text(const std::string& topic, const session::Control& control,
                          const session::Suggestion& suggestion) {
   if (suggestion.other_control) {
-    return fmt::format("g31: error: {} does not know '{}', --control {} does\n",
-                       session::name_of(control), topic,
+    return fmt::format("{} does not know '{}', --control {} does", session::name_of(control), topic,
                        session::name_of(*suggestion.other_control));
   }
   const auto nearest =
       suggestion.nearest_topic ? suggestion.nearest_topic : manual::nearest_name_of(topic);
-  return fmt::format("g31: error: nothing is known about '{}'{}\n", topic,
+  return fmt::format("nothing is known about '{}'{}", topic,
                      nearest ? fmt::format(", did you mean '{}'?", *nearest)
                              : fmt::format(": write {}", suggestion.examples));
 }
@@ -166,30 +175,29 @@ runtime::Entries entries_of_other_control(const std::string& topic) {
   return {};
 }
 
-/// Adds what is named by the topic, else what it is found in.  @returns whether there is any
-bool add_topic(const std::string& topic, const ExplainOptions& options,
+/// Adds what is named by the topic, else what it is found in, else why there is neither.
+void add_topic(const std::string& topic, const ExplainOptions& options,
                const session::Control& control, Answer& answer) {
   runtime::Entries named = options.search ? runtime::Entries() : manual::explain(topic, control);
   std::ranges::move(options.search ? runtime::Entries() : exit_entries(topic),
                     std::back_inserter(named));
   if (!named.empty()) {
     std::ranges::move(named, std::back_inserter(answer.entries));
-    return true;
+    return;
   }
   const session::Suggestion suggestion = session::suggestion_for(topic, control);
   runtime::Entries found = manual::search(everything_of(control), topic);
   if (!found.empty()) {
     answer.found.push_back({topic, std::move(found), suggestion.other_control});
-    return true;
+    return;
   }
   named = options.search || !options.control.empty() ? runtime::Entries()
                                                      : entries_of_other_control(topic);
   if (!named.empty()) {
     std::ranges::move(named, std::back_inserter(answer.entries));
-    return true;
+    return;
   }
-  std::fputs(unknown_text(topic, control, suggestion).c_str(), stderr);
-  return false;
+  answer.unknown.push_back(session::bad_input(unknown_text(topic, control, suggestion)));
 }
 
 /// A page of docs, as the tables make it.
@@ -224,16 +232,19 @@ ExitCode explain_command(const ExplainOptions& options) {
   if (options.all) {
     answer.entries = everything_of(control.value());
   }
-  ExitCode code = ExitCode::Completed;
   for (const std::string& topic : joined_topics(options.topics)) {
-    if (!add_topic(topic, options, control.value(), answer)) {
-      code = ExitCode::BadUsage;
-    }
+    add_topic(topic, options, control.value(), answer);
+  }
+  for (const session::Refusal& unknown : answer.unknown) {
+    (void)refuse(unknown);
   }
   const auto wrong = write_result(
       options.json, [&] { return text_of(answer); },
       [&] { return document_of(answer, session::name_of(control.value())); });
-  return wrong ? refuse(*wrong) : code;
+  if (wrong) {
+    return refuse(*wrong);
+  }
+  return answer.unknown.empty() ? ExitCode::Completed : ExitCode::BadUsage;
 }
 
 }  // namespace g31::cli

@@ -9,14 +9,16 @@
 
 namespace g31::cli {
 
+bool is_file_of_explain(const std::string& word) {
+  return word == "-" || word.ends_with(".json");
+}
+
 namespace {
 
 /// --json alone is followed by topics, so its file behind it is known by its ending, which no topic
 /// has.
 void take_file_of_json(ExplainOptions& options) {
-  const auto file = std::ranges::find_if(options.topics, [](const std::string& word) {
-    return word == "-" || word.ends_with(".json");
-  });
+  const auto file = std::ranges::find_if(options.topics, is_file_of_explain);
   if (options.json == "-" && file != options.topics.end()) {
     options.json = *file;
     options.topics.erase(file);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,13 +20,22 @@ std::string why_no_time(const std::string& text) {
   return fits && seconds > 0.0 ? "" : fmt::format("{} is not a number of seconds above 0", text);
 }
 
-std::string why_no_count(const std::string& text) {
-  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : fmt::format("{} is not a whole number of 0 or more", text);
+std::string why_no_word(const std::string& text) {
+  return text.find_first_not_of(" \t") == std::string::npos ? "the word is empty" : "";
 }
 
-std::string why_no_word(const std::string& text) {
-  return text.empty() ? "the word is empty" : "";
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  const auto take = [least, most](std::string& text) {
+    std::uint64_t number = 0;
+    const char* const last = text.data() + text.size();
+    const auto end = std::from_chars(text.data(), last, number);
+    if (end.ec != std::errc() || end.ptr != last || number < least || number > most) {
+      return fmt::format("{} is not a whole number from {} to {}", text, least, most);
+    }
+    text = std::to_string(number);
+    return std::string();
+  };
+  return {take, fmt::format("INT in [{} - {}]", least, most)};
 }
 
 CLI::Validator number_range(double least, double most) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/disk/part_file.h"
+#include "tools/disk/shipped.h"
 
 namespace g31::cli {
 namespace {
@@ -46,7 +47,7 @@ std::string why_no_printer(const std::string& text) {
 }
 
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
-                                            const std::vector<std::vector<std::string>>& inputs) {
+                                            const InputLists& inputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     const std::string& path = output->path;
     if (path.empty()) {
@@ -55,7 +56,7 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
     const bool is_stream = path == "-";
     const auto is_here = [&](const std::string& other) { return are_same(other, path); };
     if (!is_stream && std::ranges::any_of(inputs, [&](const std::vector<std::string>& list) {
-          return std::ranges::any_of(list, is_here);
+          return std::ranges::any_of(list, is_here, disk::real_path);
         })) {
       return session::bad_input(fmt::format("{} {}: it would take the place of what is to be read",
                                             output->option, path));
@@ -71,7 +72,7 @@ std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outp
 }
 
 std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& outputs,
-                                              const std::vector<std::vector<std::string>>& inputs) {
+                                              const InputLists& inputs) {
   if (auto wrong = wrong_place(outputs, inputs)) {
     return wrong;
   }
@@ -83,6 +84,20 @@ std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& ou
     }
   }
   return std::nullopt;
+}
+
+std::string sound_place(std::string_view option, const std::vector<OutputPlace>& outputs,
+                        const InputLists& inputs) {
+  const auto asked = std::ranges::find(outputs, option, &OutputPlace::option);
+  if (asked == outputs.end() || asked->path.empty()) {
+    return {};
+  }
+  const bool is_shared = std::ranges::any_of(outputs, [&](const OutputPlace& other) {
+    return &other != &*asked && are_same(other.path, asked->path);
+  });
+  const bool is_sound =
+      !is_shared && !wrong_place({*asked}, inputs) && !disk::why_not_begun(asked->path);
+  return is_sound ? asked->path : std::string();
 }
 
 }  // namespace g31::cli

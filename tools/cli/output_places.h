@@ -23,14 +23,21 @@ std::string why_no_place(const std::string& text);
 /// Of a text that is to say where printouts go: the same.
 std::string why_no_printer(const std::string& text);
 
+/// Lists of files and folders that a command reads, or has read.
+using InputLists = std::vector<std::vector<std::string>>;
+
 /// Why outputs may not be where they are wanted: a file that is to be read is there, or another
 /// output is to be.
-/// @param inputs  lists of files and folders that the command reads, or has read
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
-                                            const std::vector<std::vector<std::string>>& inputs);
+                                            const InputLists& inputs);
 
 /// The same before the work, when it is also asked whether those that are written last can be.
 std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& outputs,
-                                              const std::vector<std::vector<std::string>>& inputs);
+                                              const InputLists& inputs);
+
+/// Where an option wants something, if nothing is wrong with that place whatever is wrong with
+/// those of the other outputs: what is refused is told there.  @returns "" where there is none
+std::string sound_place(std::string_view option, const std::vector<OutputPlace>& outputs,
+                        const InputLists& inputs);
 
 }  // namespace g31::cli

@@ -17,10 +17,13 @@
 #include "tools/cli/run_page.h"
 #include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
+#include "tools/disk/shipped.h"
 #include "tools/plan/plan_document.h"
 #include "tools/plan/plan_part.h"
 #include "tools/plan/plan_sheet.h"
 #include "tools/plan/plan_summary.h"
+#include "tools/setup/job_files.h"
+#include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
 namespace {
@@ -28,6 +31,8 @@ namespace {
 namespace fs = std::filesystem;
 using session::Refusal;
 using Wrong = std::optional<Refusal>;
+
+constexpr std::string_view kPlanSchema = "g31.plan/1";
 
 /// A folder beside another one, so that relative paths in its files hold there too; gone at its
 /// end, as are those on the way to it that stay empty.
@@ -264,24 +269,41 @@ Wrong wrong_folder(const PlanOptions& options) {
   return std::nullopt;
 }
 
-Wrong wrong_output(const PlanOptions& options) {
+std::vector<OutputPlace> plan_outputs(const PlanOptions& options) {
   std::vector<OutputPlace> outputs;
-  for (const char* const name : {"plan.json", "plan.html", "setup.toml"}) {
+  for (const std::string_view name :
+       {std::string_view("plan.json"), std::string_view("plan.html"), plan::kSheetFile,
+        plan::kFanucProgram, plan::kSinumerikProgram}) {
     outputs.push_back({"-o", (fs::path(options.folder) / name).string()});
   }
   outputs.push_back({"--json", options.json, true});
-  return wrong_outputs(outputs,
-                       {{options.product, options.stock, options.setup, options.as_machined}});
+  return outputs;
+}
+
+/// What a plan reads: files of the command line, and what the sheet names, as far as it can be
+/// read: what is wrong with it is told by the planning.
+InputLists read_by_plan(const PlanOptions& options) {
+  InputLists read = {{options.product, options.stock, options.setup, options.as_machined}};
+  if (!options.setup.empty()) {
+    const auto job = setup::read_job(std::vector<std::string>{options.setup},
+                                     disk::shipped_folder("machine/library").value_or(""));
+    if (job) {
+      read.push_back(setup::files_of(job.value()));
+    }
+  }
+  return read;
 }
 
 }  // namespace
 
 ExitCode plan_command(const PlanOptions& options) {
   const auto refused = [&options](const Refusal& wrong) {
-    return refuse(wrong, options.json, "g31.plan/1");
+    return refuse(wrong, options.json, kPlanSchema);
   };
-  if (const auto wrong = wrong_output(options)) {
-    return refuse(*wrong);
+  const std::vector<OutputPlace> outputs = plan_outputs(options);
+  const InputLists read = read_by_plan(options);
+  if (const auto wrong = wrong_outputs(outputs, read)) {
+    return refuse(*wrong, sound_place("--json", outputs, read), kPlanSchema);
   }
   for (const auto& wrong : {wrong_folder(options), why_no_page("plan.html")}) {
     if (wrong) {

@@ -133,7 +133,8 @@ ExitCode refuse(const session::Refusal& given, const std::string& json, std::str
     return code;  // who interrupts the work wants no file of it
   }
   const auto unwritten = write_refusal(wrong, json, schema);
-  return unwritten ? refuse(*unwritten) : code;
+  const bool is_told = unwritten && unwritten->message == wrong.message;
+  return unwritten && !is_told ? refuse(*unwritten) : code;
 }
 
 }  // namespace g31::cli

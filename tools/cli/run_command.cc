@@ -191,9 +191,9 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
       opened.chronicle);
   const session::Heard heard = carried_out(opened, outputs.desk, watch);
   // Which programs are called shows while it runs.
-  if (const auto wrong = wrong_place_of(opened.options,
-                                        {opened.disk.paths().begin(), opened.disk.paths().end()})) {
-    return refuse(*wrong);
+  if (const auto refused =
+          refused_places(opened.options, opened.disk.paths(), RunStage::HasEnded)) {
+    return *refused;
   }
   report::RunResult result = result_of(opened, heard);
   std::vector<Refusal> problems = unwritten_files(opened, outputs, heard.outcome);
@@ -280,7 +280,7 @@ std::string main_name(const RunOptions& options) {
 /// Opens what the run writes and does it.
 /// @param disk  that has been read from so far
 Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session::Prepared& prepared,
-                                       const Checked& line, RememberingDisk& disk) {
+                                       const Checked& line, disk::RememberingDisk& disk) {
   const setup::Job& job = prepared.job;
   std::optional<RunInputs> inputs;
   if (!options.json.empty() || wants_page(options)) {
@@ -356,7 +356,7 @@ void tell_note(const std::string& note) {
 /// Makes a run ready and does it.
 Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   disk::Disk disk;
-  RememberingDisk remembering(disk);
+  disk::RememberingDisk remembering(disk);
   if (options.watch != nullptr) {
     remembering.tell(options.watch->looked);
   }
@@ -374,8 +374,9 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   if (options.watch != nullptr) {
     look_at(prepared.job, *options.watch);
   }
-  if (const auto wrong = wrong_place_of(options, setup::files_of(prepared.job))) {
-    return refuse(*wrong);
+  if (const auto refused =
+          refused_places(options, setup::files_of(prepared.job), RunStage::IsRead)) {
+    return *refused;
   }
   const auto line = checked(options, prepared.job);
   if (line && line.value().other && !line.value().other->has_times) {

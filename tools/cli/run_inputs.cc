@@ -20,21 +20,6 @@ std::string name_of_input(const std::string& path) {
 
 }  // namespace
 
-std::optional<std::string> RememberingDisk::read(const std::string& path) {
-  looked_(path);
-  auto text = disk_.read(path);
-  if (text) {
-    paths_.insert(path);
-  }
-  return text;
-}
-
-std::optional<std::string> RememberingDisk::read_part(const std::string& path, std::uint64_t offset,
-                                                      std::size_t length) {
-  looked_(path);
-  return disk_.read_part(path, offset, length);
-}
-
 void RunInputs::add(const std::string& path) {
   if (path.empty() || !known_.insert(std::filesystem::path(path).lexically_normal()).second) {
     return;
@@ -59,7 +44,7 @@ void RunInputs::add(const setup::Job& job) {
   }
 }
 
-void RunInputs::add(const RememberingDisk& disk) {
+void RunInputs::add(const disk::RememberingDisk& disk) {
   for (const std::string& path : disk.paths()) {
     add(path);
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/diagnostic.h"
+#include "machine/base/letters.h"
 #include "tools/cli/control_and_level_options.h"
 #include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
@@ -15,8 +16,9 @@
 namespace g31::cli {
 namespace {
 
-/// Empty: a warning or note of g31 has this code.
-std::string why_not_allowed(const std::string& code) {
+/// Takes the code of a warning or note of g31, in small letters, too.
+std::string take_allowed(std::string& code) {
+  code = in_capitals(code);
   const auto row = std::ranges::find(source::diagnostics(), code, &source::DiagnosticInfo::code);
   if (row == source::diagnostics().end()) {
     return fmt::format("{} is not a message of g31 itself, like PRB301", code);
@@ -34,7 +36,7 @@ void add_desk_options(CLI::App& run, RunOptions& options) {
                  "the switch for /N is on, 1 to 9 (/ alone is 1); repeatable")
       ->type_name("N")
       ->allow_extra_args(false)
-      ->check(CLI::Range(1, 9));
+      ->transform(whole_number(1, 9));
   CLI::Option* const quiet = run.add_flag_callback(
       "-q,--quiet", [&options] { options.talk = Talk::Quiet; },
       "on standard error only what is wrong: no stops, no messages, no line at the end");
@@ -85,10 +87,10 @@ void add_program_options(CLI::App& command, RunOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--seed", options.seed, "seed of every random model (default 0)")
       ->type_name("N")
-      ->check(why_no_count);
+      ->transform(whole_number(0, kLargestCount));
   command.add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
       ->type_name("N")
-      ->check(why_no_count);
+      ->transform(whole_number(0, kLargestCount));
   command
       .add_option(
           "--max-time", options.budget.wall_seconds,
@@ -151,7 +153,7 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
                   "program (g31: allow PRB316 reason) or ; g31: allow PRB316 reason")
       ->type_name("CODE")
       ->allow_extra_args(false)
-      ->check(why_not_allowed);
+      ->transform(CLI::Validator(take_allowed, ""));
   add_fail_on_option(*run, options.fail_on,
                      "the least message that makes a completed run exit with 1: error, warning "
                      "(default) or note");

@@ -104,14 +104,28 @@ void tell_end(const RunOptions& options, const session::Refusal& wrong) {
   }
 }
 
-ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
+/// Where it is told that a run is refused, beside standard error; "": not there.
+struct RefusalPlaces {
+  std::string json;
+  std::string jsonl;
+  bool has_page = false;
+};
+
+ExitCode tell_in(const RefusalPlaces& places, const RunOptions& options,
+                 const session::Refusal& wrong) {
   ExitCode code = refuse(wrong);
   for (const auto& unwritten :
-       {options.json.empty() ? std::nullopt : write_refusal_with_care(options, options.json, wrong),
-        options.jsonl.empty() ? std::nullopt : write_refusal_events(options, wrong),
-        wants_page(options) ? show_refusal(options, wrong) : std::nullopt}) {
-    code = unwritten ? refuse(*unwritten) : code;
+       {places.json.empty() ? std::nullopt : write_refusal_with_care(options, places.json, wrong),
+        places.jsonl.empty() ? std::nullopt : write_refusal_events(options, wrong),
+        places.has_page ? show_refusal(options, wrong) : std::nullopt}) {
+    const bool is_told = unwritten && unwritten->message == wrong.message;
+    code = unwritten && !is_told ? refuse(*unwritten) : code;
   }
+  return code;
+}
+
+ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
+  const ExitCode code = tell_in({options.json, options.jsonl, wants_page(options)}, options, wrong);
   tell_end(options, wrong);
   return code;
 }
@@ -122,12 +136,25 @@ std::vector<OutputPlace> run_outputs(const RunOptions& options) {
           {"--readings", options.readings}, {"--printer", options.printer}};
 }
 
+InputLists inputs_of(const RunOptions& options, const std::vector<std::string>& read) {
+  return {options.programs, options.setups, {options.compare}, read};
+}
+
 }  // namespace
 
-std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
-                                               const std::vector<std::string>& read) {
-  return wrong_place(run_outputs(options),
-                     {options.programs, options.setups, {options.compare}, read});
+std::optional<ExitCode> refused_places(const RunOptions& options,
+                                       const std::vector<std::string>& read, RunStage stage) {
+  const std::vector<OutputPlace> outputs = run_outputs(options);
+  const InputLists inputs = inputs_of(options, read);
+  const auto wrong =
+      stage == RunStage::IsAsked ? wrong_outputs(outputs, inputs) : wrong_place(outputs, inputs);
+  if (!wrong) {
+    return std::nullopt;
+  }
+  const auto sound = [&](std::string_view option) { return sound_place(option, outputs, inputs); };
+  return tell_in({sound("--json"), stage == RunStage::HasEnded ? "" : sound("--jsonl"),
+                  options.watch != nullptr || !sound("--report").empty()},
+                 options, *wrong);
 }
 
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
@@ -137,9 +164,8 @@ void tell_usage_error(const RunOptions& options, const std::string& json, const 
 }
 
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
-  if (const auto wrong = wrong_outputs(run_outputs(options),
-                                       {options.programs, options.setups, {options.compare}})) {
-    return refuse(*wrong);
+  if (const auto refused = refused_places(options, {}, RunStage::IsAsked)) {
+    return *refused;
   }
   const disk::WaitingLimit limit(options.budget.wall_seconds);
   try {

@@ -20,10 +20,18 @@ using RunWork = std::function<Result<ExitCode, session::Refusal>()>;
 /// work begins.
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work);
 
-/// Why something that the run writes may not be where it is wanted.
+/// How far a run is.
+enum class RunStage {
+  IsAsked,   ///< it is also looked whether what is written last can be written
+  IsRead,    ///< its sheets are
+  HasEnded,  ///< its events are under way where --jsonl wants them, and no place for others
+};
+
+/// Refuses a run that may not write something where it is wanted: on standard error, and in
+/// documents whose own places are sound.  @returns nullopt: it may
 /// @param read  what the run reads, or has read, beside the files of the command line
-std::optional<session::Refusal> wrong_place_of(const RunOptions& options,
-                                               const std::vector<std::string>& read);
+std::optional<ExitCode> refused_places(const RunOptions& options,
+                                       const std::vector<std::string>& read, RunStage stage);
 
 /// Writes the document of a run whose command line is refused before anything is read of it.
 /// @param json  where --json wants it

@@ -38,7 +38,7 @@ struct OpenedRun {
   const expect::Expectations& expectations;
   const page::OtherRun* other = nullptr;  ///< that the page shows beside it; nullptr: none
   RunInputs* inputs;                      ///< nullptr: nobody asks for them
-  const RememberingDisk& disk;
+  const disk::RememberingDisk& disk;
 };
 
 /// What a run that has ended tells of itself; what was made of it is still to be said.

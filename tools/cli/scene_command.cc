@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "tools/cli/svg_to_png.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/remembering_disk.h"
 #include "tools/disk/waiting.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/picture/pictured_part.h"
@@ -24,6 +26,7 @@
 #include "tools/session/heard.h"
 #include "tools/session/run.h"
 #include "tools/session/world.h"
+#include "tools/setup/job_files.h"
 
 namespace g31::cli {
 namespace {
@@ -118,17 +121,54 @@ std::optional<session::Refusal> tell(const SceneOptions& options, const runtime:
   return unwritten ? unwritten : write_out(json, document_of(outcome, code, kSchema, sources));
 }
 
-Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {
+/// A program that has run for a scene.
+struct DoneRun {
+  const setup::Job& job;
+  const session::World& world;
+  const picture::WayRecorder& recorder;
+  const runtime::Outcome& outcome;
+  const source::SourceMap& sources;
+};
+
+/// Writes the scene of a program that could be read, and how its run ended.
+Result<ExitCode, session::Refusal> deliver(const SceneOptions& options, const DoneRun& done) {
+  const bool is_unreadable = done.outcome.status == runtime::Status::SyntaxError;
+  const ExitCode code =
+      is_unreadable ? ExitCode::BadUsage : exit_code_of(session::ending_of(done.outcome));
+  if (!is_unreadable) {
+    const auto document = document_of(options, done.job, done.world, done.recorder);
+    if (!document) {
+      return document.error();
+    }
+    if (const auto wrong = write_out(options.output, document.value())) {
+      return *wrong;
+    }
+  }
+  const auto wrong = tell(options, done.outcome, code, done.sources);
+  return wrong ? Result<ExitCode, session::Refusal>(*wrong) : code;
+}
+
+std::vector<OutputPlace> scene_outputs(const SceneOptions& options) {
+  return {{"-o", options.output, true}, {"--json", options.run.json, true}};
+}
+
+/// @param read  gets what is read beside the files of the command line
+Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options, InputLists& read) {
   if (const auto wrong = refused(options)) {
     return *wrong;
   }
-  disk::Disk disk;
+  disk::Disk real_disk;
+  disk::RememberingDisk disk(real_disk);
   const auto prepared = session::prepare(options.run, disk);
   if (!prepared) {
     return prepared.error();
   }
   const setup::Job& job = prepared.value().job;
   const session::Control& control = prepared.value().control;
+  read.push_back(setup::files_of(job));
+  if (const auto wrong = wrong_place(scene_outputs(options), read)) {
+    return *wrong;
+  }
   runtime::TimeBudget time(options.run.budget.wall_seconds, options.run.budget.interruption);
   const auto world = session::build_world(job, options.run.seed, &time);
   if (!world) {
@@ -154,33 +194,28 @@ Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {
           session::with_findings(world.value().findings, run.value()->session().run(budget)),
           comments, options.run.programs.front(), {}, programs.value()->sources())
           .outcome;
-  const bool is_unreadable = outcome.status == runtime::Status::SyntaxError;
-  const ExitCode code =
-      is_unreadable ? ExitCode::BadUsage : exit_code_of(session::ending_of(outcome));
-  if (!is_unreadable) {
-    const auto document = document_of(options, job, world.value(), recorder);
-    if (!document) {
-      return document.error();
-    }
-    if (const auto wrong = write_out(options.output, document.value())) {
-      return *wrong;
-    }
+  // Which programs are called shows while it runs.
+  read.push_back(disk.paths());
+  if (const auto wrong = wrong_place(scene_outputs(options), read)) {
+    return *wrong;
   }
-  const auto wrong = tell(options, outcome, code, programs.value()->sources());
-  return wrong ? Result<ExitCode, session::Refusal>(*wrong) : code;
+  return deliver(options, {job, world.value(), recorder, outcome, programs.value()->sources()});
 }
 
 }  // namespace
 
 ExitCode scene_command(const SceneOptions& options) {
   const disk::WaitingLimit limit(options.run.budget.wall_seconds);
-  if (const auto wrong =
-          wrong_outputs({{"-o", options.output, true}, {"--json", options.run.json, true}},
-                        {options.run.programs, options.run.setups})) {
-    return refuse(*wrong);
+  const std::vector<OutputPlace> outputs = scene_outputs(options);
+  InputLists read = {options.run.programs, options.run.setups};
+  const auto refused = [&](const session::Refusal& wrong) {
+    return refuse(wrong, sound_place("--json", outputs, read), kSchema);
+  };
+  if (const auto wrong = wrong_outputs(outputs, read)) {
+    return refused(*wrong);
   }
-  const auto done = do_scene(options);
-  return done ? done.value() : refuse(done.error(), options.run.json, kSchema);
+  const auto done = do_scene(options, read);
+  return done ? done.value() : refused(done.error());
 }
 
 }  // namespace g31::cli

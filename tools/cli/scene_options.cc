@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/run_options.h"
 #include "tools/picture/still.h"
@@ -29,7 +30,7 @@ CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
       ->check(why_no_place);
   scene->add_option("--width", options.width, "of a picture, pixels")
       ->type_name("PX")
-      ->check(CLI::Range(picture::kLeastStillPixels, picture::kMostStillPixels))
+      ->transform(whole_number(picture::kLeastStillPixels, picture::kMostStillPixels))
       ->default_str(std::to_string(picture::StillLook{}.width));
   scene->add_option("--theme", options.theme, "of a picture: light or dark")
       ->type_name("THEME")

@@ -104,26 +104,8 @@ Result<std::optional<study::Shard>, Refusal> asked_shard(const StudyOptions& opt
   return shard;
 }
 
-std::vector<OutputPlace> study_outputs(const StudyOptions& options) {
-  return {{"--json", options.json, true},
-          {"--csv", options.csv, true},
-          {"--svg", options.svg, true},
-          {"--report", options.report}};
-}
-
-/// Why something that the study writes may not be where it is wanted.
-/// @param read  what the study reads
-std::optional<Refusal> wrong_place_of(const StudyOptions& options,
-                                      const std::vector<std::string>& read) {
-  return wrong_place(study_outputs(options), {options.merge, {options.study}, read});
-}
-
-Made run_study(const StudyOptions& options) {
-  const auto asked = asked_shard(options);
-  if (!asked) {
-    return asked.error();
-  }
-  const std::optional<study::Shard>& shard = asked.value();
+/// The study of the file with what the command line says.
+Result<study::Study, Refusal> asked_study(const StudyOptions& options) {
   const auto read = study::read_study(options.study);
   if (!read) {
     return session::refusal_of(read.error());
@@ -139,12 +121,37 @@ Made run_study(const StudyOptions& options) {
   if (const auto wrong = take_drawings(options, study)) {
     return *wrong;
   }
+  return study;
+}
+
+std::vector<OutputPlace> study_outputs(const StudyOptions& options) {
+  return {{"--json", options.json, true},
+          {"--csv", options.csv, true},
+          {"--svg", options.svg, true},
+          {"--report", options.report}};
+}
+
+/// Runs a study.
+/// @param all_read  gets what it reads beside the files of the command line
+Made run_study(const StudyOptions& options, InputLists& all_read) {
+  const auto asked = asked_shard(options);
+  if (!asked) {
+    return asked.error();
+  }
+  const std::optional<study::Shard>& shard = asked.value();
+  const auto given = asked_study(options);
+  if (!given) {
+    return given.error();
+  }
+  const study::Study& study = given.value();
   const auto created = study::StudyRuns::create(study);
   if (!created) {
     return created.error();
   }
   study::StudyRuns& runs = *created.value();
-  if (auto wrong = wrong_place_of(options, runs.files())) {
+  const std::vector<std::string> files = runs.files();
+  all_read.push_back(files);
+  if (auto wrong = wrong_place(study_outputs(options), all_read)) {
     return *std::move(wrong);
   }
   std::fputs(runs.part_findings().c_str(), stderr);
@@ -154,7 +161,7 @@ Made run_study(const StudyOptions& options) {
             study::first_run_of({shard->index + 1, shard->of}, span.end)};
   }
   MadeStudy made{{runs.description(), shard, {}}};
-  made.files = runs.files();
+  made.files = files;
   if (!options.svg.empty()) {
     made.drawings.resize(span.end - span.begin);
   }
@@ -176,6 +183,7 @@ Made run_study(const StudyOptions& options) {
   if (runtime::is_interrupted(options.interruption)) {
     return session::interrupted();
   }
+  all_read.push_back(runs.read_files());  // which programs are called shows while they run
   return made;
 }
 
@@ -242,14 +250,30 @@ std::optional<Refusal> report_study(const StudyOptions& options, const MadeStudy
   return write_page(options.report, page::report_of(record, study::record_json(record), origin));
 }
 
+/// Where the drawing of a row goes.
+std::string place_of_drawing(const StudyOptions& options, const study::Record& record,
+                             std::size_t row) {
+  return place_of_drawing(options.svg, record.rows[row].run,
+                          record.description.repeats * record.description.points.size());
+}
+
+/// Why something that a study has to write may not be where it is wanted, drawings of single runs
+/// included.
+/// @param read  what the study has read
+std::optional<Refusal> wrong_written_place(const StudyOptions& options, const MadeStudy& made,
+                                           const InputLists& read) {
+  std::optional<Refusal> wrong = wrong_place(study_outputs(options), read);
+  for (std::size_t i = 0; i < made.drawings.size() && !wrong; ++i) {
+    wrong = wrong_place({{"--svg", place_of_drawing(options, made.record, i)}}, read);
+  }
+  return wrong;
+}
+
 std::optional<Refusal> write_drawings(const StudyOptions& options, const MadeStudy& made) {
   std::optional<Refusal> wrong;
   for (std::size_t i = 0; i < made.drawings.size() && !wrong; ++i) {
     if (!made.drawings[i].empty()) {
-      wrong = write_out(
-          place_of_drawing(options.svg, made.record.rows[i].run,
-                           made.record.description.repeats * made.record.description.points.size()),
-          made.drawings[i]);
+      wrong = write_out(place_of_drawing(options, made.record, i), made.drawings[i]);
     }
   }
   return wrong;
@@ -281,15 +305,22 @@ ExitCode study_command(const StudyOptions& options) {
     return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"), options.json,
                   kStudySchema);
   }
-  if (const auto wrong = wrong_outputs(study_outputs(options), {options.merge, {options.study}})) {
-    return refuse(*wrong);
+  InputLists read = {options.merge, {options.study}};
+  const auto refused = [&](const Refusal& wrong) {
+    return refuse(wrong, sound_place("--json", study_outputs(options), read), kStudySchema);
+  };
+  if (const auto wrong = wrong_outputs(study_outputs(options), read)) {
+    return refused(*wrong);
   }
   if (const auto wrong = wrong_report(options.report)) {
-    return refuse(*wrong, options.json, kStudySchema);
+    return refused(*wrong);
   }
-  const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
+  const Made made = options.merge.empty() ? run_study(options, read) : merge_shards(options);
   if (!made) {
-    return refuse(made.error(), options.json, kStudySchema);
+    return refused(made.error());
+  }
+  if (const auto wrong = wrong_written_place(options, made.value(), read)) {
+    return refused(*wrong);
   }
   const study::Record& record = made.value().record;
   if (const auto wrong = deliver(options, made.value())) {

@@ -7,6 +7,8 @@
 #include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
+#include "tools/setup/check_value.h"
+#include "tools/study/study.h"
 #include "tools/study/study_keys.h"
 
 namespace g31::cli {
@@ -32,14 +34,13 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       ->add_option("--threads", options.threads,
                    "threads; the same bytes with any number (default: one a core)")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->transform(whole_number(1, 1024));
   study->add_option("--repeats", options.repeats, "in the place of the study's own number")
       ->type_name("N")
-      ->check(CLI::Range(1, 10000000));
+      ->transform(whole_number(1, study::kMostRuns));
   study->add_option("--seed", options.seed, "in the place of the study's own seed")
       ->type_name("N")
-      ->check(why_no_count)
-      ->check(number_range(0.0, 9007199254740992.0));
+      ->transform(whole_number(0, setup::kLargestExact));
   study->add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
       ->type_name("i/n")
       ->check(why_no_word);

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/limit_options.h"
 #include "tools/cli/report_options.h"
 #include "tools/cli/run_options.h"
 
@@ -16,7 +17,7 @@ CLI::App* add_view_command(CLI::App& app, ViewOptions& options) {
   add_language_option(*view, options.run.language);
   view->add_option("--port", options.port, "of 127.0.0.1; 0, the default: any that is free")
       ->type_name("N")
-      ->check(CLI::Range(0, kLastPort));
+      ->transform(whole_number(0, kLastPort));
   return view;
 }
 

@@ -88,7 +88,7 @@ class TableReader {
       wrong = read_row();
     }
     if (!wrong && table_.lines_.empty()) {
-      wrong = data_error(DataErrorId::NoRows, file_, {}, {});
+      wrong = data_error(DataErrorId::NoRows, file_, header_, {});
     }
     return wrong;
   }
@@ -121,6 +121,7 @@ class TableReader {
     if (!next_line()) {
       return data_error(DataErrorId::NoHeader, file_, {}, {});
     }
+    header_ = here();
     std::string seen;
     int kinds = 0;
     for (const Separator& separator : kSeparators) {
@@ -284,6 +285,7 @@ class TableReader {
   std::vector<int> wanted_at_;  // by column of the file: index of the wanted one, or -1
   char separator_ = ',';
   char decimal_mark_ = '\0';  // of the first number that has one
+  DataPlace header_;          // of the line with the names
   std::size_t offset_ = 0;    // of the next line
   std::size_t begin_ = 0;     // of this line
   std::size_t number_ = 0;

@@ -14,6 +14,7 @@
 #include "machine/sim/machining_centre.h"
 #include "probe/contact/way_distance.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/remembering_disk.h"
 #include "tools/review/listing.h"
 #include "tools/review/part_places.h"
 #include "tools/review/setup_rules.h"
@@ -28,6 +29,9 @@ namespace {
 class DiskWithIdleProgram final : public source::FileSystem {
  public:
   static constexpr const char* kPath = "O0001";
+
+  /// @param disk  outlives it
+  explicit DiskWithIdleProgram(source::FileSystem& disk) : disk_(disk) {}
 
   std::optional<std::string> read(const std::string& path) override {
     return path == kPath ? std::optional<std::string>("M30\n") : disk_.read(path);
@@ -44,7 +48,7 @@ class DiskWithIdleProgram final : public source::FileSystem {
   bool has_folder(const std::string& folder) override { return disk_.has_folder(folder); }
 
  private:
-  disk::Disk disk_;
+  source::FileSystem& disk_;
 };
 
 /// What a run says of its set-up, beside what it says of its touches.
@@ -166,20 +170,21 @@ void judge_start(const setup::Job& job, std::vector<source::Diagnostic>& finding
 
 /// What the control says of the set-up, with a program or without.
 Result<Listing, session::Refusal> followed(const session::Request& request,
-                                           const session::Prepared& prepared) {
+                                           const session::Prepared& prepared,
+                                           source::FileSystem& disk) {
   if (!request.programs.empty()) {
-    disk::Disk disk;
     return listing_of(request, prepared, disk, prepared.job.expectations);
   }
-  DiskWithIdleProgram files;
+  DiskWithIdleProgram files(disk);
   return listing_of({{DiskWithIdleProgram::kPath}, request.libraries}, prepared, files, {});
 }
 
 }  // namespace
 
 Result<Review, session::Refusal> review(const session::Request& request) {
-  disk::Disk disk;
-  const auto prepared = session::prepare(request, disk);
+  disk::Disk real_disk;
+  disk::RememberingDisk disk(real_disk);
+  const auto prepared = session::prepare(request, disk, session::VariablesFile::WouldBeSaved);
   if (!prepared) {
     return prepared.error();
   }
@@ -188,12 +193,13 @@ Result<Review, session::Refusal> review(const session::Request& request) {
   if (!built) {
     return built.error();
   }
-  const auto listing = followed(request, prepared.value());
+  const auto listing = followed(request, prepared.value(), disk);
   if (!listing) {
     return listing.error();
   }
   Review review{prepared.value().control, placed_parts(built.value().parts), setup::files_of(job),
                 reach_of(job), built.value().findings};
+  std::ranges::move(disk.paths(), std::back_inserter(review.files));
   std::ranges::move(session::lost_variables(job), std::back_inserter(review.findings));
   judge_places(job, review.parts, review.reach, review.findings);
   judge_start(job, review.findings);

@@ -28,7 +28,7 @@ struct PlacedPart {
 struct Review {
   session::Control control;
   std::vector<PlacedPart> parts;
-  std::vector<std::string> files;  ///< of the sheets, and those that they name
+  std::vector<std::string> files;  ///< of the sheets, those that they name, programs that ran
   Box reach;  ///< of the centre of the stylus ball; endless without travel limits
   std::vector<source::Diagnostic> findings;  ///< with their places in `in_sheet`
 };

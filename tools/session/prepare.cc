@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
+#include "tools/disk/part_file.h"
 #include "tools/disk/shipped.h"
 #include "tools/disk/waiting.h"
 #include "tools/session/variables_file.h"
@@ -101,6 +102,20 @@ std::optional<Refusal> take_variables(const std::vector<std::string>& assignment
 
 namespace {
 
+/// @param why  in the system's words
+Refusal not_savable(const std::string& path, const std::string& why) {
+  return bad_input(
+      fmt::format("{}: the run could not save its variables here ({}): there must be a folder "
+                  "that can be written: make it so, or name a variables_file in another one",
+                  path, why));
+}
+
+/// What lock_variables() says of a file that cannot be saved, without keeping it.
+std::optional<Refusal> why_not_saved(const std::string& path) {
+  const auto why = path.empty() ? std::nullopt : disk::why_not_begun(path);
+  return why ? std::optional(not_savable(path, *why)) : std::nullopt;
+}
+
 /// Keeps the variables file for the run, or says why it does not.
 std::optional<Refusal> lock_variables(Prepared& prepared) {
   constexpr double kPatienceS = 10.0;
@@ -120,10 +135,7 @@ std::optional<Refusal> lock_variables(Prepared& prepared) {
                     path, kPatienceS, lock.error().why));
   }
   if (lock.error().kind == disk::LockRefusal::Kind::Unwritable) {
-    return bad_input(
-        fmt::format("{}: the run could not save its variables here ({}): there must be a folder "
-                    "that can be written: make it so, or name a variables_file in another one",
-                    path, lock.error().why));
+    return not_savable(path, lock.error().why);
   }
   prepared.note = fmt::format(
       "{}: cannot be locked here ({}): of two runs at a time one would lose what the other saves",
@@ -160,6 +172,11 @@ Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& fi
   }
   Prepared prepared{job.value(), control.value(), nullptr, {}};
   if (auto wrong = variables == VariablesFile::IsSaved ? lock_variables(prepared) : std::nullopt) {
+    return *wrong;
+  }
+  if (auto wrong = variables == VariablesFile::WouldBeSaved
+                       ? why_not_saved(prepared.job.control.variables_file)
+                       : std::nullopt) {
     return *wrong;
   }
   if (auto wrong = take_variables(request.assignments, files, prepared.job)) {

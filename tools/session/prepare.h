@@ -36,7 +36,8 @@ struct Prepared {
 /// What becomes of the variables file.
 enum class VariablesFile {
   IsRead,
-  IsSaved  ///< no other run that saves it may read it meanwhile
+  WouldBeSaved,  ///< it is read; a run that could not save it is refused all the same
+  IsSaved        ///< no other run that saves it may read it meanwhile
 };
 
 /// @param files  the program and the variables file; sheets come from the disk

@@ -24,9 +24,6 @@
 namespace g31::setup {
 namespace {
 
-/// Every whole number up to 2^53 is a double of its own.
-constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;
-
 using Checked = Result<SheetValue, ValueProblem>;
 
 /// What is wrong with the size of a number of this unit; nullopt: nothing, or it has no bounds.

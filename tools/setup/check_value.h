@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,9 +23,13 @@ struct ValueProblem {
   std::string should_be;
 };
 
+/// Every whole number up to 2^53 is a double of its own.
+inline constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;
+
 /// The value of a node as `type` and `limit` want it, within the bounds of its unit (units.def).
 ///
-/// Whole numbers become doubles; those beyond 2^53 in size are refused, so none is rounded.
+/// Whole numbers become doubles; those beyond kLargestExact in size are refused, so none is
+/// rounded.
 /// @param unit  "": none, and no bounds
 Result<SheetValue, ValueProblem> checked_value(const Node& node, ValueType type, Limit limit,
                                                std::string_view unit);

@@ -1,5 +1,6 @@
 #include "tools/study/study_jobs.h"
 
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -8,6 +9,7 @@
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
 #include "tools/session/prepare.h"
+#include "tools/setup/job_files.h"
 #include "tools/study/grid.h"
 
 namespace g31::study {
@@ -59,31 +61,49 @@ Result<session::Control, Refusal> StudyJobs::control_of(const setup::Job& job) c
   return session::chosen_control(request, job, disk);
 }
 
-/// Each value with the first ones of all other lists, so that a long grid is tried quickly.
-std::optional<Refusal> StudyJobs::why_not_all() const {
+std::vector<StudyJobs::TriedPoint> StudyJobs::tried_points() const {
+  std::vector<TriedPoint> points = {{}};
   std::size_t stride = point_count(*study_);
-  const auto first = at(0, {});
-  if (!first) {
-    return first.error();
-  }
-  const auto control = control_of(first.value());
-  if (!control) {
-    return control.error();
-  }
   for (const ListedAxis& axis : study_->listed) {
     stride /= axis.values.size();
     for (std::size_t i = 1; i < axis.values.size(); ++i) {
-      const auto job = at(i * stride, {});
-      if (!job) {
-        return job.error();
-      }
-      const auto other = control_of(job.value());
-      if (!other) {
-        return other.error();
-      }
-      if (session::name_of(other.value()) != session::name_of(control.value())) {
-        return two_controls(axis, control.value(), other.value());
-      }
+      points.push_back({i * stride, &axis});
+    }
+  }
+  return points;
+}
+
+std::vector<std::string> StudyJobs::files() const {
+  std::set<std::string> all;
+  for (const setup::SheetStack& stack : stacks_) {
+    for (const auto& document : stack.documents()) {
+      all.insert(document->path);
+    }
+  }
+  for (const TriedPoint& tried : tried_points()) {
+    if (const auto job = at(tried.point, {})) {
+      const std::vector<std::string> files = setup::files_of(job.value());
+      all.insert(files.begin(), files.end());
+    }
+  }
+  return {all.begin(), all.end()};
+}
+
+std::optional<Refusal> StudyJobs::why_not_all() const {
+  std::optional<session::Control> first;
+  for (const TriedPoint& tried : tried_points()) {
+    const auto job = at(tried.point, {});
+    if (!job) {
+      return job.error();
+    }
+    const auto control = control_of(job.value());
+    if (!control) {
+      return control.error();
+    }
+    if (!first) {
+      first = control.value();
+    } else if (session::name_of(control.value()) != session::name_of(*first)) {
+      return two_controls(*tried.axis, *first, control.value());
     }
   }
   // What is drawn must have a place, too.

@@ -10,6 +10,7 @@
 
 #include "machine/base/result.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/remembering_disk.h"
 #include "tools/session/control.h"
 #include "tools/session/ending.h"
 #include "tools/session/heard.h"
@@ -50,6 +51,8 @@ class StudyPrograms {
   /// Programs of `before` have the numbers below it.
   [[nodiscard]] std::size_t main() const { return paths_.size() - 1; }
   [[nodiscard]] const std::vector<std::string>& paths() const { return paths_; }
+  /// What has been read for them so far, with the programs that they called.
+  [[nodiscard]] std::vector<std::string> read_files() const { return disk_.paths(); }
   [[nodiscard]] const session::Control& control() const { return *control_; }
   /// The lines of a message about a part.
   [[nodiscard]] std::string rendered(const source::Diagnostic& finding) const;
@@ -69,7 +72,8 @@ class StudyPrograms {
                     EndedProgram& ended) const;
 
   const Study& study_;
-  disk::Disk disk_;
+  disk::Disk real_disk_;
+  disk::RememberingDisk disk_{real_disk_};
   std::vector<std::string> paths_;
   std::vector<std::string> variables_;  ///< that results read
   std::optional<session::Control> control_;

@@ -11,7 +11,6 @@
 
 #include "interpreter/source/diagnostic.h"
 #include "tools/disk/disk.h"
-#include "tools/setup/job_files.h"
 #include "tools/study/grid.h"
 
 namespace g31::study {
@@ -138,15 +137,7 @@ void StudyRuns::describe() {
 
 std::vector<std::string> StudyRuns::files() const {
   std::vector<std::string> all = programs_.paths();
-  for (const setup::SheetStack& stack : jobs_.stacks()) {
-    for (const auto& document : stack.documents()) {
-      all.push_back(document->path);
-    }
-  }
-  const auto job = jobs_.at(0, {});
-  if (job) {
-    std::ranges::copy(setup::files_of(job.value()), std::back_inserter(all));
-  }
+  std::ranges::move(jobs_.files(), std::back_inserter(all));
   return all;
 }
 

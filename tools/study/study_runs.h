@@ -41,6 +41,8 @@ class StudyRuns {
 
   /// Files that programs and sheets are read from, or that the sheets name.
   [[nodiscard]] std::vector<std::string> files() const;
+  /// Files of programs that the runs have read so far, with those that they called.
+  [[nodiscard]] std::vector<std::string> read_files() const { return programs_.read_files(); }
 
   /// What is wrong with the meshes of the sheets' own parts, as lines for people; it makes findings
   /// of all runs.
