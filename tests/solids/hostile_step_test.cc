@@ -16,7 +16,6 @@
 #include "parts/solids/removal.h"
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
-#include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 
 namespace g31::hostile_step_test {
@@ -65,12 +64,12 @@ class Mutation {
 };
 
 TEST(HostileStep, ChangedAtRandomItIsReadOrRefused) {
-  const std::uint64_t files = testing::of_many(100U);
+  constexpr std::uint64_t kFiles = 100;
   const testing::TemporaryFolder folder;
   const std::string text = product_text();
   ASSERT_FALSE(text.empty());
   std::size_t refused = 0;
-  for (std::uint64_t number = 0; number < files; ++number) {
+  for (std::uint64_t number = 0; number < kFiles; ++number) {
     const std::string path = folder.write("changed.step", Mutation(number).of(text));
     const auto removal = parts::removal_of(path, {});
     if (removal) {
@@ -83,17 +82,17 @@ TEST(HostileStep, ChangedAtRandomItIsReadOrRefused) {
     const auto mesh = parts::read_step_file(path, 0.01);
     EXPECT_TRUE(mesh.ok() || !mesh.error().empty()) << number;
   }
-  EXPECT_GT(refused, files / 2);
-  EXPECT_LT(refused, files);
+  EXPECT_GT(refused, kFiles / 2);
+  EXPECT_LT(refused, kFiles);
 }
 
 TEST(HostileStep, CutOffAnywhereItIsRefused) {
-  const std::uint64_t files = testing::of_many(200U);
+  constexpr std::uint64_t kFiles = 200;
   const testing::TemporaryFolder folder;
   const std::string text = product_text();
   ASSERT_FALSE(text.empty());
   std::size_t refused = 0;
-  for (std::uint64_t number = 0; number < files; ++number) {
+  for (std::uint64_t number = 0; number < kFiles; ++number) {
     const std::string path = folder.write(
         "changed.step", text.substr(0, static_cast<std::size_t>(uniform({number, 0}, 0) *
                                                                 static_cast<double>(text.size()))));
@@ -108,7 +107,7 @@ TEST(HostileStep, CutOffAnywhereItIsRefused) {
     const auto mesh = parts::read_step_file(path, 0.01);
     EXPECT_TRUE(mesh.ok() || !mesh.error().empty()) << number;
   }
-  EXPECT_GT(refused, files / 2);
+  EXPECT_GT(refused, kFiles / 2);
 }
 
 TEST(HostileStep, AnEntityThatIsNotThereIsNamed) {
