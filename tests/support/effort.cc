@@ -11,7 +11,7 @@ bool under_sanitizers() {
 }
 
 int one_case_of() {
-  return under_sanitizers() ? 4 : 1;
+  return under_sanitizers() ? 8 : 1;
 }
 
 }  // namespace g31::testing

@@ -13,7 +13,7 @@ namespace g31::testing {
 bool under_sanitizers();
 
 /// Of so many like cases a test tries one: of each, and under the sanitizers, where each takes ten
-/// times as long and only what it does to memory is asked, of four.
+/// times as long and only what it does to memory is asked, of eight.
 int one_case_of();
 
 /// How many cases that are counted a test tries.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tries counted changes of the fuzzers' seeds, always the same ones, a process for each core.
 #
-#   tools/dev/try_changes.sh BUILD TIMES     build/sanitize 24: 24 times as many as a test run, some four minutes of
+#   tools/dev/try_changes.sh BUILD TIMES     build/sanitize 24: 24 times as many as a test run, some two minutes of
 #                                            processor time
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
