@@ -15,10 +15,11 @@ const { chromium } = packages('playwright-core');
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'g31-page-'));
 process.on('exit', () => fs.rmSync(folder, { recursive: true, force: true }));
 
-/** A browser that draws WebGL without a graphics card. */
+/** A browser that draws WebGL without a graphics card, and all else of a page without going through it. */
 export const launch = () => chromium.launch({
   executablePath: G31_CHROMIUM,
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+    '--disable-gpu-compositing'],
 });
 
 /** A sample run as a page on the disk; its place. */
