@@ -55,7 +55,7 @@ ToolPlace AxisChain::for_part(const AxisPositions& q_M) const {
     const Eigen::Isometry3d table = along(setup_.table_side, q_M);
     const Eigen::Isometry3d tool = along(setup_.tool_side, q_M);
     place.q.head<kLinearAxisCount>() = table * (tool * p_T_tip_) - p_T_tip_;
-    place.tilt = Eigen::Quaterniond((table * tool).linear());
+    place.tilt = Eigen::Quaterniond(Eigen::Matrix3d(table.linear() * tool.linear()));
   }
   return place;
 }
@@ -114,22 +114,23 @@ bool AxisChain::is_turned(const AxisPositions& q_M) const {
 
 Eigen::Isometry3d AxisChain::joint(char axis, const AxisPositions& q_M) const {
   const int index = axis_index(axis);
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  if (!is_rotary(axis)) {
-    motion.translation()[index] = q_M[index];
-    return motion;
-  }
   const RotaryLine& line = setup_.rotary.at(static_cast<std::size_t>(index - kLinearAxisCount));
-  motion.translate(line.p_M_centre);
-  motion.rotate(Eigen::AngleAxisd(in_rad(deg(q_M[index])), line.axis_M));
-  motion.translate(-line.p_M_centre);
+  const Eigen::AngleAxisd turn(in_rad(deg(q_M[index])), line.axis_M);
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.linear() = turn.toRotationMatrix();
+  motion.translation() = line.p_M_centre - motion.linear() * line.p_M_centre;
   return motion;
 }
 
-Eigen::Isometry3d AxisChain::along(const std::string& axes, const AxisPositions& q_M) const {
+Eigen::Isometry3d AxisChain::along(std::string_view axes, const AxisPositions& q_M) const {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for (const char axis : axes) {
-    motion = motion * joint(axis, q_M);
+    const int index = axis_index(axis);
+    if (!is_rotary(axis)) {
+      motion.translation() += motion.linear().col(index) * q_M[index];
+    } else if (q_M[index] != 0.0) {
+      motion = motion * joint(axis, q_M);
+    }
   }
   return motion;
 }

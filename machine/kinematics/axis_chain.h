@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <Eigen/Geometry>
 
@@ -96,8 +97,9 @@ class AxisChain {
   };
 
   [[nodiscard]] LinearMotion linear_motion(const AxisPositions& q_M_turned) const;
+  /// The motion of a rotary axis.
   [[nodiscard]] Eigen::Isometry3d joint(char axis, const AxisPositions& q_M) const;
-  [[nodiscard]] Eigen::Isometry3d along(const std::string& axes, const AxisPositions& q_M) const;
+  [[nodiscard]] Eigen::Isometry3d along(std::string_view axes, const AxisPositions& q_M) const;
 
   AxisChainSetup setup_;
   Point p_T_tip_;
