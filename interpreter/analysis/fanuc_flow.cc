@@ -161,7 +161,7 @@ void FanucTranslation::follow(Index index) {
 /// GOTO with a number that the compiler did not link.
 void FanucTranslation::constant_jump(const Step& step, Index index, double sequence) {
   const double rounded = std::round(sequence);
-  const bool in_range = rounded >= 1.0 && rounded <= profile_.largest_sequence;
+  const bool in_range = rounded >= profile_.smallest_target && rounded <= profile_.largest_sequence;
   const auto found =
       in_range ? program_.find_label(static_cast<std::int32_t>(rounded), index) : std::nullopt;
   if (found) {

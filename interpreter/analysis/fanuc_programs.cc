@@ -14,9 +14,6 @@
 namespace g31::analysis {
 namespace {
 
-/// P of M98 beyond four digits carries the count before the number (MB-214).
-constexpr int kCountFactor = 10'000;
-
 /// Which program a call means.  @pre !call.target.empty()
 fanuc::ProgramKey key_of(const Call& call) {
   const std::string& target = call.target;
@@ -86,8 +83,9 @@ class FanucPrograms final : public ProgramSet {
     }
     fanuc::ProgramKey key = key_of(call);
     bool is_there = library_.find(key) != nullptr;
-    if (!is_there && call.kind == Call::Kind::Subprogram && key.number >= kCountFactor) {
-      key.number %= kCountFactor;
+    const int factor = call.kind == Call::Kind::Subprogram ? profile_.count_factor : 0;
+    if (!is_there && factor > 0 && key.number >= factor) {
+      key.number %= factor;
       is_there = library_.find(key) != nullptr;
     }
     if (is_there) {

@@ -852,3 +852,74 @@ G83 Z-9. R1. I1. J0.6 F100.
 M30
 %
 (EXPECT ALARM 45)
+
+(CASE P of M98 is a number alone, L says how often)
+(SOURCE mill operator's manual NGC 2017, M98: O40010 with M98 P40011)
+%
+O1
+M98 P40011
+M30
+O0011
+#100=#100+1
+M99
+%
+(EXPECT ALARM 78 AT 4)
+(EXPECT #100 = VACANT)
+
+(CASE a program of five digits is called)
+%
+O1
+#100=0
+#101=0
+M98 P40011 L2
+M30
+O0011
+#100=#100+1
+M99
+O40011
+#101=#101+1
+M99
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 2)
+
+(CASE a computed jump reaches N0)
+(SOURCE the same manual, computed branch)
+%
+O1
+#1=0
+#100=0
+GOTO#1
+#100=1
+N0 #101=2
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 2)
+
+(CASE and so does one to a number that is written; below 0 is nothing)
+%
+O1
+#100=0
+GOTO0
+#100=1
+N0 #101=2
+GOTO-1
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 2)
+(EXPECT ALARM 128 AT 7)
+
+(CASE numbers of nine digits, and the sign of a Next Generation Control)
+(SOURCE the same manual, formatted output; next generation control identifier)
+%
+O1
+#100=123.456789
+#101=#6198
+#102=#6199
+M30
+%
+(EXPECT #100 = 123.456789)
+(EXPECT #101 = 1000000)
+(EXPECT #102 = 0)

@@ -241,3 +241,44 @@ M30
 (EXPECT #101 = 1)
 (EXPECT MOVES 2)
 (EXPECT MOVE 2 X11)
+
+(CASE MB-021 a position is a whole number of increments, whatever sums of binary numbers come to)
+(SHEET [work_offsets.G54])
+(SHEET Y = -180.7)
+%
+O1
+#100=0
+#101=0
+G90 G54 G0 Y0.3
+IF[#5042 EQ 0.3]THEN #100=1
+IF[#5002 EQ 0.3]THEN #101=1
+G91 X0.1
+X0.1
+X0.1
+#102=0
+IF[#5001 EQ 0.3]THEN #102=1
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+
+(CASE MB-021 also in inches, and work offsets too)
+%
+O1
+G20 G90 G54
+#100=0
+#101=0
+#102=0
+G0 X1.5
+IF[#5001 EQ 1.5]THEN #100=1
+#5221=1.5
+IF[#5221 EQ 1.5]THEN #101=1
+#1=0.087
+G0 Z#1
+IF[#5003 GE #1]THEN #102=1
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)

@@ -31,7 +31,7 @@ MaybeFailure Jumps::jump(const Step& step) {
   const double rounded = std::round(target.or_zero());
   Failure failure;
   failure.where = program.op_spans[step.value];
-  if (rounded < 1.0 || rounded > control_.profile.largest_sequence) {
+  if (rounded < control_.profile.smallest_target || rounded > control_.profile.largest_sequence) {
     failure.id = AlarmId::IllegalJump;
     failure.detail = fmt::format("GOTO {}", rounded);
     return failure;

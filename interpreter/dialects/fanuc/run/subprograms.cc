@@ -13,9 +13,6 @@ namespace {
 
 using syntax::ValueForm;
 
-/// P of M98 beyond four digits carries the count before the number (MB-214).
-constexpr int kCountFactor = 10'000;
-
 constexpr int kExternalCall = 198;
 
 }  // namespace
@@ -71,9 +68,10 @@ MaybeFailure Subprograms::count_in(const EvaluatedWord& p, Entry& entry) {
   EvaluatedWord program_word = p;
   program_word.form = ValueForm::Integer;
   program_word.number = number.value();
-  if (number.value() >= kCountFactor && !programs_.has(number.value())) {
-    program_word.number = number.value() % kCountFactor;
-    entry.repeats = number.value() / kCountFactor;
+  const int factor = control_.profile.count_factor;
+  if (factor > 0 && number.value() >= factor && !programs_.has(number.value())) {
+    program_word.number = number.value() % factor;
+    entry.repeats = number.value() / factor;
   }
   return find_called(program_word, entry);
 }

@@ -22,6 +22,7 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.smallest_result = short_range ? kSmallestOf16i : profile.smallest_result;
   rules.digit_limit = profile.digit_limit;
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
+  rules.has_signed_arc_sine = rules.signed_angles || profile.has_signed_arc_sine;
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.joins_conditions =
       profile.joins_conditions || parameters.is_on(ParameterId::JoinsConditions);

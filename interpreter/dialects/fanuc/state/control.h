@@ -22,6 +22,7 @@
 #include "interpreter/runtime/printer_port.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
+#include "machine/units/rounded_length.h"
 
 namespace g31::fanuc {
 
@@ -156,6 +157,11 @@ struct Control : ControlState {
   }
   [[nodiscard]] double stored(int axis, double value) const {
     return is_linear_axis(axis) ? to_mm(value) : value;
+  }
+  /// As shown() has it, of what the control counts in increments: all but what a touch has
+  /// measured.
+  [[nodiscard]] double counted(int axis, double value) const {
+    return without_noise(shown(axis, value));
   }
 
  private:

@@ -349,7 +349,7 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
     case FunctionId::ACOS: {
       const double angle =
           (id == FunctionId::ASIN ? std::asin(argument) : std::acos(argument)) * kDegrees;
-      return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+      return Cell(angle < 0.0 && !rules_.has_signed_arc_sine ? angle + 360.0 : angle);
     }
     case FunctionId::ATAN:
       return Cell(std::atan(argument) * kDegrees);

@@ -19,7 +19,8 @@ struct EvaluationRules {
   double largest_result = 1e47;
   double smallest_result = 1e-29;
   int digit_limit = 12;                    ///< digits of a number (MB-027)
-  bool signed_angles = false;              ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
+  bool signed_angles = false;              ///< 6004.0 NAT: ATAN -180..180
+  bool has_signed_arc_sine = false;        ///< the same: ASIN -90..90
   bool clear_small_sines = false;          ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
   bool joins_conditions = false;           ///< 6006.0 MLG: AND OR XOR between comparisons
   const Parameters* parameters = nullptr;  ///< what PRM reads

@@ -53,7 +53,8 @@ std::optional<OffsetPlace> offset_place(const Control& control, const Place& pla
 
 ReadResult read_tool_entry(Control& control, const Place& place) {
   const EntryView view = view_of(place.row.shows);
-  return Cell(control.from_mm(control.offsets.get(place.index() + 1).*view.field * view.factor));
+  return Cell(without_noise(
+      control.from_mm(control.offsets.get(place.index() + 1).*view.field * view.factor)));
 }
 
 WriteResult write_tool_entry(Control& control, const Place& place, Cell value) {
@@ -70,7 +71,7 @@ ReadResult read_work_offset(Control& control, const Place& place) {
     return AlarmId::IllegalVariable;
   }
   return Cell(
-      control.shown(offset->axis, control.coordinates.system(offset->system)[offset->axis]));
+      control.counted(offset->axis, control.coordinates.system(offset->system)[offset->axis]));
 }
 
 WriteResult write_work_offset(Control& control, const Place& place, Cell value) {
@@ -87,7 +88,7 @@ WriteResult write_work_offset(Control& control, const Place& place, Cell value) 
 
 ReadResult read_local_shift(Control& control, const Place& place) {
   const auto axis = control.controlled_axis(place.index());
-  return axis ? ReadResult(Cell(control.shown(*axis, control.coordinates.local_shift()[*axis])))
+  return axis ? ReadResult(Cell(control.counted(*axis, control.coordinates.local_shift()[*axis])))
               : AlarmId::IllegalVariable;
 }
 

@@ -134,10 +134,13 @@ WriteResult write_time_of_day(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_constant(Control&, const Place& place) {
+  constexpr double kNextGeneration = 1'000'000.0;
   if (place.row.shows == Shows::Null) {
     return Cell();
   }
-  return Cell(place.row.shows == Shows::Pi ? std::numbers::pi : std::numbers::e);
+  return Cell(place.row.shows == Shows::NextGeneration ? kNextGeneration
+              : place.row.shows == Shows::Pi           ? std::numbers::pi
+                                                       : std::numbers::e);
 }
 
 ReadResult read_parts(Control& control, const Place& place) {

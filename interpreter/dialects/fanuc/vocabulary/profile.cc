@@ -113,6 +113,8 @@ constexpr Profile meldas() {
   profile.codes_before_call = true;
   profile.has_bare_expressions = true;
   profile.joins_conditions = true;
+  // M700V programming manual, 13.5: ASIN[-.5] is -30; its parameter 1273 can set 0 to 360 (MB-339)
+  profile.has_signed_arc_sine = true;
   profile.own_g_codes = CodeSet::Meldas;
   profile.missing_g_codes = {};
   profile.calls = {4, 8, 8};
@@ -183,6 +185,11 @@ constexpr Profile haas() {
   profile.conditions_are_numbers = true;
   profile.conditions_rule_blocks = true;
   profile.has_local_calls = true;
+  // Mill operator's manual (NGC) 2017, macros: #1=123.456789; jumps to N0; M98 P40011 calls O40011,
+  // and L says how often
+  profile.digit_limit = 12;
+  profile.smallest_target = 0;
+  profile.count_factor = 0;
   // Mill operator's manual 96-8000, last block (modal) address data: D is #4107, I #4104
   profile.keeps_all_words = true;
   // Mill operator's manual 96-8000, integer argument passing: D E F H L M S T count ones

@@ -154,7 +154,8 @@ struct Profile {
   double largest_result = kLargestOf16i;    ///< magnitude beyond it is alarm 111 (MB-047)
   double smallest_result = kSmallestOf16i;  ///< magnitude below it, but not 0, is alarm 111
   LogicOperands logic_operands = LogicOperands::Round;
-  FeedCounts feed_counts;  ///< parameter 1403.0 of Fanuc: 1 mm/min beside 0.01 inch/min
+  bool has_signed_arc_sine = false;  ///< ASIN gives -90 to 90, whatever parameter 6004.0 says
+  FeedCounts feed_counts;            ///< parameter 1403.0 of Fanuc: 1 mm/min beside 0.01 inch/min
   InverseTime inverse_time;
   FunctionLevel functions = FunctionLevel::Full;
   [[nodiscard]] constexpr bool has_series_30i_functions() const {
@@ -162,6 +163,7 @@ struct Profile {
   }
 
   // Statements
+  int smallest_target = 1;       ///< of GOTO
   int largest_sequence = 99999;  ///< N and GOTO (MB-003, MB-172)
   LoopRule loops;
   bool has_then = true;                      ///< IF [...] THEN (MB-371)
@@ -186,6 +188,8 @@ struct Profile {
   bool has_program_names = false;  ///< M98 <NAME>, G65 <NAME> beside P and a number (MB-002)
   char start_letter = 'Q';         ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
   bool starts_in_called = true;    ///< with P it is a block of that program; else it goes without P
+  /// P of M98 beyond it: how often, before the number of the program (MB-214); 0: a number alone.
+  int count_factor = 10'000;
 
   bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)

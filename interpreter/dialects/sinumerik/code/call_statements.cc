@@ -133,6 +133,15 @@ void CallStatements::ret_statement() {
   code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
+/// ENDPROC: as RET alone.
+void CallStatements::endproc_statement() {
+  if (!cursor_.peek().is(Symbol::LeftParen)) {
+    return ret_statement();
+  }
+  const ShortSpan where = cursor_.peek().where;
+  fail(AlarmId::SyntaxInText, where, text_of(where));
+}
+
 void CallStatements::procedure(ProcedureId id, ShortSpan where) {
   const ProcedureInfo& row = procedures()[static_cast<std::size_t>(id)];
   std::vector<Argument> list;

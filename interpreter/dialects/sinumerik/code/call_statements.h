@@ -28,6 +28,7 @@ class CallStatements : private BlockPart {
   void mcall_statement();
   void extcall_statement();
   void ret_statement();
+  void endproc_statement();
 
  private:
   std::vector<Argument> argument_list();

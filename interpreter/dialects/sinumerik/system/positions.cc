@@ -2,6 +2,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
+#include "machine/units/rounded_length.h"
 
 namespace g31::sinumerik::system {
 namespace {
@@ -32,6 +33,11 @@ Number place_value(const Channel& channel, const SystemAccess& access, const Axi
     return further_place(channel, axis, frame);
   }
   return channel.within_turn(axis, channel.shown_place(axis, q_W[axis]));
+}
+
+/// Of a point that is counted in increments: what was summed up to reach it is no part of it.
+Number counted(const Number& place) {
+  return place ? Number(without_noise(place.value())) : place;
 }
 
 /// What the last measuring move latched goes into an expression.
@@ -84,7 +90,7 @@ std::span<AxisPositions> reference_points(Channel& channel) {
 }  // namespace
 
 Number block_end(Channel& channel, const SystemAccess& access) {
-  return place_value(channel, access, channel.programmed(), channel.active_frame());
+  return counted(place_value(channel, access, channel.programmed(), channel.active_frame()));
 }
 
 Number machine_now(Channel& channel, const SystemAccess& access) {
@@ -92,7 +98,7 @@ Number machine_now(Channel& channel, const SystemAccess& access) {
     return *wrong;
   }
   channel.touches.looks();
-  return axis_value(channel, access, channel.port.position());
+  return counted(axis_value(channel, access, channel.port.position()));
 }
 
 Number work_now(Channel& channel, const SystemAccess& access) {
@@ -100,8 +106,8 @@ Number work_now(Channel& channel, const SystemAccess& access) {
     return *wrong;
   }
   channel.touches.looks();
-  return place_value(channel, access, channel.to_work(channel.port.position()),
-                     channel.active_frame());
+  return counted(place_value(channel, access, channel.to_work(channel.port.position()),
+                             channel.active_frame()));
 }
 
 Number basic_zero_now(Channel& channel, const SystemAccess& access) {
