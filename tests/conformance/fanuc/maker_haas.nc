@@ -923,3 +923,53 @@ M30
 (EXPECT #100 = 123.456789)
 (EXPECT #101 = 1000000)
 (EXPECT #102 = 0)
+
+(CASE GOTO behind words jumps when they are done)
+(SOURCE the same manual, unconditional branch; conditional branch)
+%
+O1
+#100=0
+G90 G54 G0 X1. GOTO 20
+#100=1
+N20 Y2.
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT MOVES 2)
+(EXPECT MOVE 1 X1 Y0)
+(EXPECT MOVE 2 X1 Y2)
+
+(CASE a condition behind words rules what follows it, not them)
+%
+O1
+#1=1
+#100=0
+G90 G54 G0 X1. [#1EQ1] M99 P5
+#100=1
+N5 Y2. [#1EQ2] M99 P7
+#100=#100+2
+N7 M30
+%
+(EXPECT #100 = 2)
+(EXPECT MOVES 2)
+(EXPECT MOVE 2 X1 Y2)
+
+(CASE no other control takes them, and nothing moves)
+(CONTROL fanuc-16i)
+%
+O1
+X1. GOTO 20
+N20 M30
+%
+(EXPECT ALARM 127 AT 4)
+(EXPECT MOVES 0)
+
+(CASE nor a condition)
+(CONTROL fanuc-16i)
+%
+O1
+G0 X1. [#1EQ#0] M99 P20
+N20 M30
+%
+(EXPECT ALARM 9 AT 4)
+(EXPECT MOVES 0)

@@ -64,6 +64,7 @@ class Compiler {
   [[nodiscard]] bool is_conditional(Index block) const;
   void judge_loop(Step& step, std::size_t depth);
   void link_jumps();
+  void refuse_statement_behind(Index words, Step& step);
   void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
 
   const syntax::Tree& tree_;
@@ -102,6 +103,7 @@ void Compiler::step(Index block_index) {
         mark_bad(step, AlarmId::StatementFormat, block.span,
                  "THEN takes a macro statement, not a loop or NC words");
       }
+      refuse_statement_behind(block_index, step);
       break;
     case BlockKind::Assign:
       assign(block, step);
@@ -137,6 +139,19 @@ void Compiler::step(Index block_index) {
     mark_bad(step, misuse->id, misuse->where, std::move(misuse->message));
   }
   out_.steps.push_back(step);
+}
+
+/// A statement in one block with words is that of some controls only.
+void Compiler::refuse_statement_behind(Index words, Step& step) {
+  const Index behind = words + 1;
+  if (profile_.conditions_rule_blocks || behind >= tree_.blocks.size() ||
+      !tree_.blocks[behind].is_behind_words) {
+    return;
+  }
+  const bool is_jump = tree_.blocks[behind].kind == BlockKind::Goto;
+  mark_bad(step, is_jump ? AlarmId::MixedStatement : AlarmId::IllegalAddress,
+           tree_.blocks[behind].span,
+           is_jump ? "GOTO needs a block of its own" : "'[' is not an address letter");
 }
 
 /// Whether the block is what an IF decides upon.

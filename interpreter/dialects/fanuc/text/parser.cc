@@ -283,15 +283,54 @@ void Parser::words(Block& block) {
   do {
     scanner_.plain_words(tree_.words);
   } while (word());
+  if (!failed() && scanner_.peek() != '\n') {
+    statement_behind_words(block);
+  }
 }
 
-/// However it is written.
+/// GOTO, or a condition and what it rules: a block of its own, right behind that of the words.
+void Parser::statement_behind_words(Block& block) {
+  const std::uint32_t begin = scanner_.position();
+  Block words = block;
+  words.span.end = begin;
+  words.word_count = static_cast<Index>(tree_.words.size()) - block.first_word;
+  const std::size_t place = tree_.blocks.size();
+  tree_.blocks.push_back(words);
+  Block statement;
+  statement.is_behind_words = true;
+  statement.skip_switch = block.skip_switch;
+  statement.first_word = static_cast<Index>(tree_.words.size());
+  statement.span = {begin, begin};
+  body(statement);
+  if (failed()) {
+    tree_.blocks.resize(place);
+  } else {
+    block = statement;
+  }
+}
+
+/// A word that could not be read is no error if it is GOTO, which is to be read anew.
+void Parser::forgive_jump(std::uint32_t begin) {
+  const std::uint32_t end = scanner_.position();
+  scanner_.rewind(begin);
+  if (scanner_.accept_word("GO")) {
+    scanner_.rewind(begin);
+    expressions_.forget_error();
+  } else {
+    scanner_.rewind(end);
+  }
+}
+
+/// However it is written; none where the block ends or goes on as a statement.
 bool Parser::word() {
   const char next = scanner_.peek();
   if (next == '\n') {
     return false;
   }
   const std::uint32_t begin = scanner_.position();
+  if (next == '[') {
+    return false;
+  }
   if (next == '#') {
     fail(AlarmId::MixedStatement, "a macro statement needs a block of its own");
     return false;
@@ -314,6 +353,7 @@ bool Parser::word() {
   }
   if (failed()) {
     tree_.words.pop_back();
+    forgive_jump(begin);
     return false;
   }
   word.span = {begin, scanner_.position()};

@@ -59,6 +59,8 @@ class Parser {
   }
   void punched_variable(syntax::Block& block);
   void words(syntax::Block& block);
+  void statement_behind_words(syntax::Block& block);
+  void forgive_jump(std::uint32_t begin);
   bool word();
   void word_value(syntax::Word& word);
   syntax::Index computed_value();

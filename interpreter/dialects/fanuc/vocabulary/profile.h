@@ -175,7 +175,9 @@ struct Profile {
   CodeSet own_g_codes = CodeSet::Family;     ///< beside those of the family
   bool joins_conditions = false;        ///< AND, OR, XOR join comparisons without parameter 6006.0
   bool conditions_are_numbers = false;  ///< IF [#1]: what is not 0 is true
-  bool conditions_rule_blocks = false;  ///< IF [...] M98 P1, [...] M99 P1: any block, with no THEN
+  /// IF [...] M98 P1, [...] M99 P1: any block, with no THEN; also behind words of a block, as GOTO
+  /// is.
+  bool conditions_rule_blocks = false;
 
   // Calls
   CallLevels calls;
