@@ -153,15 +153,10 @@ struct Control : ControlState {
   [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
   /// A coordinate of an axis as variables show it, and back: linear axes in the unit in force.
   [[nodiscard]] double shown(int axis, double value) const {
-    return is_linear_axis(axis) ? from_mm(value) : value;
+    return without_noise(is_linear_axis(axis) ? from_mm(value) : value);
   }
   [[nodiscard]] double stored(int axis, double value) const {
     return is_linear_axis(axis) ? to_mm(value) : value;
-  }
-  /// As shown() has it, of what the control counts in increments: all but what a touch has
-  /// measured.
-  [[nodiscard]] double counted(int axis, double value) const {
-    return without_noise(shown(axis, value));
   }
 
  private:

@@ -71,7 +71,7 @@ ReadResult read_work_offset(Control& control, const Place& place) {
     return AlarmId::IllegalVariable;
   }
   return Cell(
-      control.counted(offset->axis, control.coordinates.system(offset->system)[offset->axis]));
+      control.shown(offset->axis, control.coordinates.system(offset->system)[offset->axis]));
 }
 
 WriteResult write_work_offset(Control& control, const Place& place, Cell value) {
@@ -88,7 +88,7 @@ WriteResult write_work_offset(Control& control, const Place& place, Cell value) 
 
 ReadResult read_local_shift(Control& control, const Place& place) {
   const auto axis = control.controlled_axis(place.index());
-  return axis ? ReadResult(Cell(control.counted(*axis, control.coordinates.local_shift()[*axis])))
+  return axis ? ReadResult(Cell(control.shown(*axis, control.coordinates.local_shift()[*axis])))
               : AlarmId::IllegalVariable;
 }
 

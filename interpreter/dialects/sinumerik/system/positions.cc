@@ -22,7 +22,7 @@ Number axis_value(const Channel& channel, const SystemAccess& access, const Axis
   if (!is_machine_axis(axis)) {
     return further_place(channel, axis, Frame());
   }
-  return channel.within_turn(axis, channel.shown_datum(axis, q[axis]));
+  return without_noise(channel.within_turn(axis, channel.shown_datum(axis, q[axis])));
 }
 
 /// In coordinates within some of the frames, where DIAMON counts.
@@ -32,12 +32,7 @@ Number place_value(const Channel& channel, const SystemAccess& access, const Axi
   if (!is_machine_axis(axis)) {
     return further_place(channel, axis, frame);
   }
-  return channel.within_turn(axis, channel.shown_place(axis, q_W[axis]));
-}
-
-/// Of a point that is counted in increments: what was summed up to reach it is no part of it.
-Number counted(const Number& place) {
-  return place ? Number(without_noise(place.value())) : place;
+  return without_noise(channel.within_turn(axis, channel.shown_place(axis, q_W[axis])));
 }
 
 /// What the last measuring move latched goes into an expression.
@@ -90,7 +85,7 @@ std::span<AxisPositions> reference_points(Channel& channel) {
 }  // namespace
 
 Number block_end(Channel& channel, const SystemAccess& access) {
-  return counted(place_value(channel, access, channel.programmed(), channel.active_frame()));
+  return place_value(channel, access, channel.programmed(), channel.active_frame());
 }
 
 Number machine_now(Channel& channel, const SystemAccess& access) {
@@ -98,7 +93,7 @@ Number machine_now(Channel& channel, const SystemAccess& access) {
     return *wrong;
   }
   channel.touches.looks();
-  return counted(axis_value(channel, access, channel.port.position()));
+  return axis_value(channel, access, channel.port.position());
 }
 
 Number work_now(Channel& channel, const SystemAccess& access) {
@@ -106,8 +101,8 @@ Number work_now(Channel& channel, const SystemAccess& access) {
     return *wrong;
   }
   channel.touches.looks();
-  return counted(place_value(channel, access, channel.to_work(channel.port.position()),
-                             channel.active_frame()));
+  return place_value(channel, access, channel.to_work(channel.port.position()),
+                     channel.active_frame());
 }
 
 Number basic_zero_now(Channel& channel, const SystemAccess& access) {
