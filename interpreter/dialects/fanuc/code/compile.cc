@@ -150,7 +150,7 @@ void Compiler::refuse_statement_behind(Index words, Step& step) {
   }
   const bool is_jump = tree_.blocks[behind].kind == BlockKind::Goto;
   mark_bad(step, is_jump ? AlarmId::MixedStatement : AlarmId::IllegalAddress,
-           tree_.blocks[behind].span,
+           {tree_.blocks[words].span.end, tree_.blocks[behind].span.end},
            is_jump ? "GOTO needs a block of its own" : "'[' is not an address letter");
 }
 

@@ -2,7 +2,6 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
-#include "machine/units/rounded_length.h"
 
 namespace g31::sinumerik::system {
 namespace {
@@ -22,7 +21,7 @@ Number axis_value(const Channel& channel, const SystemAccess& access, const Axis
   if (!is_machine_axis(axis)) {
     return further_place(channel, axis, Frame());
   }
-  return without_noise(channel.within_turn(axis, channel.shown_datum(axis, q[axis])));
+  return channel.within_turn(axis, channel.shown_datum(axis, q[axis]));
 }
 
 /// In coordinates within some of the frames, where DIAMON counts.
@@ -32,7 +31,7 @@ Number place_value(const Channel& channel, const SystemAccess& access, const Axi
   if (!is_machine_axis(axis)) {
     return further_place(channel, axis, frame);
   }
-  return without_noise(channel.within_turn(axis, channel.shown_place(axis, q_W[axis])));
+  return channel.within_turn(axis, channel.shown_place(axis, q_W[axis]));
 }
 
 /// What the last measuring move latched goes into an expression.
