@@ -110,9 +110,9 @@ enum class BlockKind : std::uint8_t {
 struct Block {
   BlockKind kind = BlockKind::Empty;
   std::uint8_t skip_switch = 0;  ///< 0: none; n for /n
-  bool is_bare = false;  ///< IfThen without THEN, or without IF, too; Assign without a value
-  bool is_behind_words = false;  ///< IfThen and Goto: in one block with the words before
-  std::int32_t sequence = -1;    ///< N number, -1: none
+  bool is_bare = false;        ///< IfThen without THEN, or without IF, too; Assign without a value
+  bool goes_on = false;        ///< Nc: what the next one holds stands behind its words
+  std::int32_t sequence = -1;  ///< N number, -1: none
   std::int32_t number = 0;
   Index first_word = 0;
   Index word_count = 0;

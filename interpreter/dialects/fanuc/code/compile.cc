@@ -64,7 +64,7 @@ class Compiler {
   [[nodiscard]] bool is_conditional(Index block) const;
   void judge_loop(Step& step, std::size_t depth);
   void link_jumps();
-  void refuse_statement_behind(Index words, Step& step);
+  [[gnu::cold]] void refuse_statement_beside(Index words, Step& step);
   void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
 
   const syntax::Tree& tree_;
@@ -99,11 +99,9 @@ void Compiler::step(Index block_index) {
       break;
     case BlockKind::Nc:
       nc_words(block, step);
-      if (is_conditional(block_index) && !profile_.conditions_rule_blocks) {
-        mark_bad(step, AlarmId::StatementFormat, block.span,
-                 "THEN takes a macro statement, not a loop or NC words");
+      if (!profile_.conditions_rule_blocks && (block.goes_on || is_conditional(block_index))) {
+        refuse_statement_beside(block_index, step);
       }
-      refuse_statement_behind(block_index, step);
       break;
     case BlockKind::Assign:
       assign(block, step);
@@ -142,15 +140,16 @@ void Compiler::step(Index block_index) {
 }
 
 /// A statement in one block with words is that of some controls only.
-void Compiler::refuse_statement_behind(Index words, Step& step) {
-  const Index behind = words + 1;
-  if (profile_.conditions_rule_blocks || behind >= tree_.blocks.size() ||
-      !tree_.blocks[behind].is_behind_words) {
+void Compiler::refuse_statement_beside(Index words, Step& step) {
+  if (is_conditional(words)) {
+    mark_bad(step, AlarmId::StatementFormat, tree_.blocks[words].span,
+             "THEN takes a macro statement, not a loop or NC words");
     return;
   }
-  const bool is_jump = tree_.blocks[behind].kind == BlockKind::Goto;
+  const Block& statement = tree_.blocks[words + 1];
+  const bool is_jump = statement.kind == BlockKind::Goto;
   mark_bad(step, is_jump ? AlarmId::MixedStatement : AlarmId::IllegalAddress,
-           {tree_.blocks[words].span.end, tree_.blocks[behind].span.end},
+           {tree_.blocks[words].span.end, statement.span.end},
            is_jump ? "GOTO needs a block of its own" : "'[' is not an address letter");
 }
 

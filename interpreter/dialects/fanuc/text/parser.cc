@@ -283,21 +283,22 @@ void Parser::words(Block& block) {
   do {
     scanner_.plain_words(tree_.words);
   } while (word());
-  if (!failed() && scanner_.peek() != '\n') {
+  if (goes_on_) [[unlikely]] {
     statement_behind_words(block);
   }
 }
 
 /// GOTO, or a condition and what it rules: a block of its own, right behind that of the words.
 void Parser::statement_behind_words(Block& block) {
+  goes_on_ = false;
   const std::uint32_t begin = scanner_.position();
   Block words = block;
   words.span.end = begin;
+  words.goes_on = true;
   words.word_count = static_cast<Index>(tree_.words.size()) - block.first_word;
   const std::size_t place = tree_.blocks.size();
   tree_.blocks.push_back(words);
   Block statement;
-  statement.is_behind_words = true;
   statement.skip_switch = block.skip_switch;
   statement.first_word = static_cast<Index>(tree_.words.size());
   statement.span = {begin, begin};
@@ -313,11 +314,10 @@ void Parser::statement_behind_words(Block& block) {
 void Parser::forgive_jump(std::uint32_t begin) {
   const std::uint32_t end = scanner_.position();
   scanner_.rewind(begin);
-  if (scanner_.accept_word("GO")) {
-    scanner_.rewind(begin);
+  goes_on_ = scanner_.accept_word("GO");
+  scanner_.rewind(goes_on_ ? begin : end);
+  if (goes_on_) {
     expressions_.forget_error();
-  } else {
-    scanner_.rewind(end);
   }
 }
 
@@ -329,6 +329,7 @@ bool Parser::word() {
   }
   const std::uint32_t begin = scanner_.position();
   if (next == '[') {
+    goes_on_ = true;
     return false;
   }
   if (next == '#') {

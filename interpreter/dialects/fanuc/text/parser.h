@@ -59,8 +59,8 @@ class Parser {
   }
   void punched_variable(syntax::Block& block);
   void words(syntax::Block& block);
-  void statement_behind_words(syntax::Block& block);
-  void forgive_jump(std::uint32_t begin);
+  [[gnu::cold]] void statement_behind_words(syntax::Block& block);
+  [[gnu::cold]] void forgive_jump(std::uint32_t begin);
   bool word();
   void word_value(syntax::Word& word);
   syntax::Index computed_value();
@@ -87,6 +87,7 @@ class Parser {
   Scanner scanner_;
   ExpressionParser expressions_;
   int then_depth_ = 0;
+  bool goes_on_ = false;  // a statement stands behind the words of the block
 };
 
 }  // namespace g31::fanuc
