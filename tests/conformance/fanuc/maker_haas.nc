@@ -973,3 +973,21 @@ N20 M30
 %
 (EXPECT ALARM 9 AT 4)
 (EXPECT MOVES 0)
+
+(CASE a condition that does not hold rules all that is left of the block)
+(SOURCE the same manual, conditional execution: the rest of the block is ignored)
+%
+O1
+#1=1
+#100=0
+G90 G54 G0 X5. [#1EQ2] X2. [#1EQ1] M99 P7
+#100=#100+1
+[#1EQ1] X3. [#1EQ1] X4. GOTO 7
+#100=#100+2
+N7 M30
+%
+(EXPECT #100 = 1)
+(EXPECT MOVES 3)
+(EXPECT MOVE 1 X5 Y0)
+(EXPECT MOVE 2 X3 Y0)
+(EXPECT MOVE 3 X4 Y0)

@@ -62,6 +62,7 @@ class Compiler {
   void link_then();
   void link_loops();
   [[nodiscard]] bool is_conditional(Index block) const;
+  [[nodiscard]] bool goes_on(const Step& step) const;
   void judge_loop(Step& step, std::size_t depth);
   void link_jumps();
   [[gnu::cold]] void refuse_statement_beside(Index words, Step& step);
@@ -203,11 +204,16 @@ void Compiler::called_name(const Block& block, const syntax::Word& name, Step& s
   }
 }
 
+/// Whether the next step is of the same line: what a condition before it rules as well.
+bool Compiler::goes_on(const Step& step) const {
+  return step.kind == BlockKind::IfThen || tree_.blocks[step.block].goes_on;
+}
+
 void Compiler::link_then() {
   for (std::size_t i = 0; i < out_.steps.size(); ++i) {
     if (out_.steps[i].kind == BlockKind::IfThen) {
       std::size_t after = i + 1;
-      while (after < out_.steps.size() && out_.steps[after].kind == BlockKind::IfThen) {
+      while (after < out_.steps.size() && goes_on(out_.steps[after])) {
         ++after;
       }
       out_.steps[i].jump = static_cast<Index>(std::min(after + 1, out_.steps.size()));
