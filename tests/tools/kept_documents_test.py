@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import documents_of_tests_test
 import kept_documents
 
 CHECK = pathlib.Path(__file__).resolve().parent / "documents_of_tests_test.py"
@@ -56,6 +57,16 @@ class Kept(unittest.TestCase):
         for text in (GOOD.replace('"1.2.3"', "5"), GOOD.replace("}\n", ', "more": 1}\n'), GOOD.replace("version/1", "other/1")):
             self.prints(text)
             self.assertEqual(self.checked()[0], 1, text)
+
+    def test_of_rows_that_a_schema_takes_alike_one_is_looked_at(self):
+        alike = [{"line": line, "at": [line, -1.5, None]} for line in range(1, 30)]
+        others = [{"line": 0, "at": [1, 2.5, None]}, {"line": -1, "at": [1, 2.5, None]}, {"line": 1.5, "at": [1, 2.5, None]},
+                  {"line": "1", "at": [1, 2.5, None]}, {"line": 1, "at": [1, 2.5]}, {"line": 1, "at": [1, 2.5, 3.5]}, {"row": 1}]
+        rows = documents_of_tests_test.without_like_rows({"rows": alike[:15] + others + alike[15:]})["rows"]
+        self.assertEqual(rows[1:], others)
+        self.assertIn(rows[0], alike)
+        numbers = {"points": [[1.0, 2.0]] * 20}
+        self.assertEqual(documents_of_tests_test.without_like_rows(numbers), numbers)
 
     def test_what_is_none_is_left_alone(self):
         self.prints('{"schema": "other/1"}')

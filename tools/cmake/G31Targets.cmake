@@ -215,7 +215,7 @@ function(g31_take_test_code name)
 endfunction()
 
 function(g31_test)
-  cmake_parse_arguments(arg "" "NAME;PREFIX" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "NAME;PREFIX;COST" "SOURCES;DEPENDS" ${ARGN})
   if(G31_TEST_CODE_OF)
     g31_take_test_code(${arg_NAME})
   else()
@@ -226,7 +226,7 @@ function(g31_test)
   g31_link_file_by_file(${arg_NAME})
   if(CMAKE_CXX_FLAGS MATCHES "sanitize")
     list(LENGTH arg_SOURCES files)
-    g31_run_in_shares(${arg_NAME} ${files} "${arg_PREFIX}")
+    g31_run_in_shares(${arg_NAME} ${files} "${arg_PREFIX}" "${arg_COST}")
     return()
   endif()
   # Tests run in the source folder: golden files and parts are named by their repository path.
@@ -239,14 +239,17 @@ endfunction()
 
 # A program under the address sanitizer takes a third of a second to begin and end, most tests a hundredth: so
 # there a process runs a share of a program's tests, not one.  What became of each is in a file of its own.
-function(g31_run_in_shares name files prefix)
+function(g31_run_in_shares name files prefix cost)
   math(EXPR shares "(${files} + 9) / 10")
+  if(NOT cost)
+    set(cost ${files})
+  endif()
   foreach(share RANGE 1 ${shares})
     math(EXPR index "${share} - 1")
     set(test ${prefix}${name}.${share}_of_${shares})
     add_test(NAME ${test} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set_tests_properties(${test} PROPERTIES
-      COST ${files}
+      COST ${cost}
       FIXTURES_REQUIRED documents_of_tests
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shares};GTEST_SHARD_INDEX=${index};GTEST_OUTPUT=xml:${PROJECT_BINARY_DIR}/results/${test}.xml")
   endforeach()

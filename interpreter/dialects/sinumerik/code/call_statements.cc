@@ -119,6 +119,15 @@ void CallStatements::ret_statement() {
   if (cursor_.accept(Symbol::LeftParen)) {
     list = argument_list();
   }
+  return_to(list);
+}
+
+/// ENDPROC: as RET alone.
+void CallStatements::endproc_statement() {
+  return_to({});
+}
+
+void CallStatements::return_to(const std::vector<Argument>& list) {
   expect_end();
   if (list.size() > 4) {
     fail(AlarmId::ArgumentCount, list[4].where, "RET");
@@ -131,15 +140,6 @@ void CallStatements::ret_statement() {
   const std::uint32_t first = keep_arguments(list);
   code_.emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block());
   code_.last().count = static_cast<std::uint16_t>(list.size());
-}
-
-/// ENDPROC: as RET alone.
-void CallStatements::endproc_statement() {
-  if (!cursor_.peek().is(Symbol::LeftParen)) {
-    return ret_statement();
-  }
-  const ShortSpan where = cursor_.peek().where;
-  fail(AlarmId::SyntaxInText, where, text_of(where));
 }
 
 void CallStatements::procedure(ProcedureId id, ShortSpan where) {

@@ -32,6 +32,8 @@ class CallStatements : private BlockPart {
 
  private:
   std::vector<Argument> argument_list();
+  /// To the caller, or where RET says.
+  void return_to(const std::vector<Argument>& list);
   void call(CallSite site, ShortSpan where);
 
   Expressions& expressions_;
