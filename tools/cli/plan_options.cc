@@ -36,7 +36,7 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
   command
       ->add_option("-s,--setup", options.setup,
                    "a sheet with machine, probe, fixtures and [work_offsets.G54], in which the "
-                   "part's origin is to lie; its other parts are fixtures")
+                   "part's origin is to lie; its parts are fixtures (fixture = true)")
       ->type_name("SHEET")
       ->check(why_no_word);
   constexpr double kLeastMm = 1e-5;

@@ -256,6 +256,7 @@ Result<std::shared_ptr<report::EventLog>, Refusal> open_events(const RunOptions&
   start.program = options.programs.front();
   start.control = session::name_of(control);
   start.seed = options.seed;
+  start.optional_stop = options.optional_stop;
   events.value()->start(start);
   return events.value();
 }

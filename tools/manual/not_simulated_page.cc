@@ -28,8 +28,9 @@ without a word: what they say has nothing to act on here.
   degree) and the detection unit of a Fanuc round nothing.
 * A probe fails as `probe.state` says; radio or optical transmission and its range are not there.
 * Doors, pallets, tool changers, coolant, chips and bar feeders are not there: M codes that g31 does not know do nothing.
-* Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
-  `[[input]]`, keys that M109 of a Haas asks for from `control.keys` (PRB607).
+* Nobody is there: what waits for an operator goes on (stops are listed), or ends the run: on a SINUMERIK where it waits
+  again and again (PRB604), else by the limit of blocks (PRB601).  Inputs come from `[[input]]`, keys that M109 of a Haas
+  asks for from `control.keys` (PRB607).
 * Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  A thread
   (G33) begins at once, wherever the spindle stands.
 * There is one channel: programs of several channels wait for nobody.
@@ -78,6 +79,8 @@ std::string not_simulated_page() {
       add_control(page, "Fanuc", control);
     } else if (name == "haas") {
       add_control(page, "Haas", control);
+    } else if (name == "brother") {
+      add_control(page, "Brother", control);
     } else if (name == "sinumerik-828d") {
       add_control(page, "SINUMERIK 828D", control);
     }

@@ -63,9 +63,9 @@ std::span<const Page> pages() {
 std::string study_page() {
   std::string page = page_head("Study files", "study-file.md");
   page +=
-      "`g31 study FILE.toml` runs a program many times; `tools/study/README.md` shows how.  "
-      "Relative "
-      "paths start at the study's folder.\n";
+      "`g31 study FILE.toml` runs a program many times; the [tutorial for "
+      "researchers](tutorials/researcher.md) shows how.  Relative paths start at the study's "
+      "folder.\n";
   for (const study::StudySectionRow& section : study::study_sections()) {
     page += fmt::format("\n## {}\n\n{}\n\n", section.example, section.text);
     page += table_head({"key", "meaning", "without it", "example"});
@@ -83,7 +83,8 @@ std::string study_page() {
 std::string codes_page() {
   std::string page = page_head("Codes of messages", "codes.md");
   page +=
-      "Every message of g31 has a code that does not change.  `g31 explain CODE` says the same as "
+      "Every message about a program, its run or a sheet has a code that does not change; those "
+      "about the command line have\nnone.  `g31 explain CODE` says the same as "
       "this page; alarms of a control: `g31 explain 'alarm 115' --control haas`.\n";
   std::string_view kind;
   const runtime::Entries entries = all_code_entries();

@@ -60,7 +60,7 @@ constexpr auto kReferencePages = std::to_array<ReferencePage>({
      "`g31 explain SUBSTR --control sinumerik-828d` says the same of one.", false,
      kSinumerikLanguage},
     {"reference/machine-data.md", "Machine and setting data of the SINUMERIK 828D",
-     "`[machine_data]` of the set-up sheet sets them, by name or number.", false, kMachineData},
+     "`[machine_data]` of the set-up sheet sets them by their names.", false, kMachineData},
     {"reference/measuring-data.md", "Data of the measuring cycles",
      "What the definition files of `macros/sinumerik` have: results, and what programs for "
      "earlier software set.",

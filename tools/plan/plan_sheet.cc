@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/session/control.h"
 #include "tools/setup/document.h"
 #include "tools/setup/keys.h"
 #include "tools/setup/setup_error.h"
@@ -105,12 +106,18 @@ class SheetEditor {
     return fmt::format("{}:{}:{}: error: {}", document_.path, member.line, member.column, what);
   }
 
+  /// Whether a sheet names the control of the program: by its name, or as one of its models.
+  [[nodiscard]] bool is_planned_for(const std::string& name) const {
+    const auto named = session::control_named(name);
+    return named && session::name_of(named.value()) == contents_.control;
+  }
+
   Wrong take_control() {
     const Table* const control = table_in(document_.root, "control");
     const Member* const profile = control != nullptr ? find(*control, "profile") : nullptr;
     if (profile != nullptr) {
       const auto* const name = std::get_if<std::string>(&profile->node.value);
-      if (name != nullptr && *name != contents_.control) {
+      if (name != nullptr && !is_planned_for(*name)) {
         return at(*profile,
                   fmt::format("the sheet is for {}, the program for {}; give --control {} "
                               "or another sheet",

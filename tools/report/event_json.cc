@@ -102,9 +102,13 @@ Json collision_json(const runtime::FaultEvent& fault, const source::SourceMap& s
   return object;
 }
 
-Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources) {
+Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources,
+               bool stops_at_m01) {
   Json object = {{"kind", stop.kind}, {"text", stop.text}};
   add_place(object, stop.where, sources);
+  if (is_optional(stop) && !stops_at_m01) {
+    object["passed"] = true;
+  }
   return object;
 }
 

@@ -24,7 +24,8 @@ Json move_json(const runtime::MoveEvent& move);
 Json touch_json(const runtime::TouchEvent& touch, const source::SourceMap& sources);
 /// Where and how a move was broken off.
 Json collision_json(const runtime::FaultEvent& fault, const source::SourceMap& sources);
-Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources);
+/// @param stops_at_m01  else it is passed
+Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources, bool stops_at_m01);
 Json recorded_json(const runtime::RecordedEvent& event, const source::SourceMap& sources);
 Json diagnostic_json(const source::Diagnostic& diagnostic, const source::SourceMap& sources);
 

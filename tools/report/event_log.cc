@@ -44,6 +44,7 @@ Result<std::shared_ptr<EventLog>, std::string> EventLog::create(const std::strin
 }
 
 void EventLog::start(const RunResult& result) {
+  stops_at_m01_ = result.optional_stop;
   file_->write(event_line({{"event", "start"},
                            {"schema", "g31.events/1"},
                            {"version", result.version},
@@ -75,7 +76,7 @@ void EventLog::add(const runtime::TouchEvent& event) {
 }
 
 void EventLog::add(const runtime::StopEvent& event) {
-  put(Output::Stops, event_line(named("stop", stop_json(event, sources_))));
+  put(Output::Stops, event_line(named("stop", stop_json(event, sources_, stops_at_m01_))));
 }
 
 void EventLog::add(const runtime::RecordedEvent& event) {

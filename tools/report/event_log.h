@@ -16,8 +16,8 @@ namespace g31::report {
 
 struct RunResult;
 
-/// What happens in a run, one JSON object a line (NDJSON), each as it happens: `event` says what,
-/// the other members are those of the document of a run.
+/// What happens in a run, one JSON object a line (NDJSON), each as it happens, diagnostics at the
+/// end: `event` says what, the other members are those of the document of a run.
 ///
 ///   start  move  moves_undone  touch  stop  recorded  output  message  collision  diagnostic  end
 class EventLog {
@@ -55,6 +55,7 @@ class EventLog {
   std::shared_ptr<disk::PartFile> file_;
   const source::SourceMap& sources_;
   runtime::OutputBudget& budget_;
+  bool stops_at_m01_ = false;
 };
 
 }  // namespace g31::report

@@ -157,11 +157,7 @@ Json history_json(const VariableHistory& history) {
 void add_stops(const RunResult& result, const RunRecorder& recorder,
                const source::SourceMap& sources, ObjectWriter& document) {
   document.add_list("stops", recorder.stops(), [&](const runtime::StopEvent& stop) {
-    Json object = stop_json(stop, sources);
-    if (is_optional(stop) && !result.optional_stop) {
-      object["passed"] = true;
-    }
-    return object;
+    return stop_json(stop, sources, result.optional_stop);
   });
   if (recorder.stops_left_out() > 0) {
     document.add("stops_left_out", recorder.stops_left_out());

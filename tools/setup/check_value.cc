@@ -168,6 +168,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::TipAngle:
     case Limit::Rising:
     case Limit::NotAllZero:
+    case Limit::NoneZero:
     case Limit::RisingPlaces:
     case Limit::Tolerance:
       return true;
@@ -194,6 +195,9 @@ bool within(Limit limit, const SheetValue& value) {
     }
     if (limit == Limit::NotAllZero) {
       return std::ranges::any_of(*list, [](double n) { return n != 0.0; });
+    }
+    if (limit == Limit::NoneZero) {
+      return std::ranges::all_of(*list, [](double n) { return n != 0.0; });
     }
     return std::ranges::all_of(*list, [&](double n) { return number_within(limit, n); });
   }

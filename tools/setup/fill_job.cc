@@ -327,6 +327,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   }
   for (const SheetTable& table : list_of(sheet, SectionId::Part)) {
     job.parts.push_back(part_from(table, job.control, errors));
+    job.has_parts_on_offsets |= TableKeys(table).find(KeyId::PartOn) != nullptr;
     job.part_places.push_back(place_of_body(table));
   }
   for (const Location& where : sheet.lost_variables) {

@@ -27,6 +27,7 @@ struct Job {
   std::vector<probe::ToolSetup> tools;             ///< what the magazine holds; numbers differ
   std::vector<probe::ToolProbeSetup> tool_probes;  ///< names differ
   std::vector<parts::PartSetup> parts;
+  bool has_parts_on_offsets = false;  ///< places of some of them are those of work offsets
   /// Of what only the control can judge, by table and name: "variables.#500"; see RefusedSetting.
   std::map<std::string, source::ShownPlace> places;
   expect::Expectations expectations;            ///< what [expect] says

@@ -103,6 +103,7 @@ enum class Limit {
   AxisLetters,     ///< no letter twice
   WorkOffsetName,  ///< as NameForm::WorkOffset
   NotAllZero,
+  NoneZero,
   RunStatus,     ///< as the document of a run has it
   RisingPlaces,  ///< the first numbers of pairs
   VariableName,  ///< as NameForm::VariableName

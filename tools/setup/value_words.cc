@@ -65,6 +65,7 @@ constexpr LimitWords kLimitWords[] = {
     {Limit::WorkOffsetName, "a work offset: G54 to G59, EXT, G54.1 Pn, G154 Pn or G505 to G599"},
     {Limit::AxisLetters, "letters of X, Y, Z, A, B and C, none twice"},
     {Limit::NotAllZero, "three numbers, not all 0"},
+    {Limit::NoneZero, "three numbers, none of them 0"},
     {Limit::RunStatus,
      "\"completed\", \"alarm\", \"collision\", \"setup\", \"budget\" or \"usage\""},
     {Limit::RisingPlaces, "pairs with rising places"},

@@ -24,7 +24,7 @@ std::string advice(std::string_view unknown, const Names& known) {
   if (const auto nearest = nearest_name(unknown, known)) {
     return fmt::format(", did you mean {}?", *nearest);
   }
-  return fmt::format(", known are {}", fmt::join(known, ", "));
+  return known.empty() ? ", nor any other" : fmt::format(", known are {}", fmt::join(known, ", "));
 }
 
 /// The section with the longest path that `path` begins with.
@@ -149,8 +149,8 @@ Result<VariedKey, std::string> find_varied_key(std::string_view path) {
   const std::string_view rest = path.substr(section->path.size() + 1);
   if (!has_names(*section)) {
     return fmt::format(
-        "[[{}]] has no names, of lists only part.NAME, tool.NUMBER and tool_probe.NAME can be "
-        "varied",
+        "of lists only part.NAME, tool.NUMBER and tool_probe.NAME can be varied, not those of "
+        "[[{}]]",
         section->path);
   }
   const auto taken = find_at_end(found, rest, section->form == SectionForm::One);
@@ -196,7 +196,11 @@ bool takes_any_number(const VariedKey& key) {
 
 std::optional<std::string> lay_value(Sheet& sheet, const VariedKey& key, const Entry& entry) {
   if (row_of(key.section).form != SectionForm::List) {
-    put(sheet.tables[{key.section, key.name}], key, entry);
+    SheetTable& table = sheet.tables[{key.section, key.name}];
+    if (table.where.document == nullptr) {  // the sheet has none
+      table.where = entry.where;
+    }
+    put(table, key, entry);
     return std::nullopt;
   }
   std::vector<SheetTable>& list = sheet.lists[key.section];

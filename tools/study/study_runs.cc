@@ -35,11 +35,17 @@ namespace {
 
 using session::Refusal;
 
-/// Whether a key changes the parts, or the balls and bodies that their trees are made for.
-bool changes_geometry(const setup::VariedKey& key) {
-  return key.section == setup::SectionId::Part || key.section == setup::SectionId::ToolProbe ||
-         key.row->id == setup::KeyId::ProbeBallDiameter ||
-         key.row->id == setup::KeyId::ProbeStemDiameter;
+/// Whether a key changes the parts, what carries them, or the balls and bodies that their trees are
+/// made for.
+bool changes_geometry(const setup::VariedKey& key, const setup::Job& job) {
+  using setup::KeyId;
+  using setup::SectionId;
+  constexpr KeyId kKeys[] = {
+      KeyId::ProbeBallDiameter, KeyId::ProbeStemDiameter, KeyId::SecondBall,     KeyId::AxisCentre,
+      KeyId::AxisDirection,     KeyId::MachineTableSide,  KeyId::MachineToolSide};
+  return key.section == SectionId::Part || key.section == SectionId::ToolProbe ||
+         (key.section == SectionId::WorkOffsets && job.has_parts_on_offsets) ||
+         std::ranges::find(kKeys, key.row->id) != std::end(kKeys);
 }
 
 }  // namespace
@@ -53,7 +59,11 @@ Result<std::unique_ptr<StudyRuns>, Refusal> StudyRuns::create(const Study& study
     return *wrong;
   }
   std::unique_ptr<StudyRuns> runs(new StudyRuns(study, jobs.value()));
-  runs->make_points();
+  const auto first = runs->jobs_.at(0, {});
+  if (!first) {
+    return first.error();
+  }
+  runs->make_points(first.value());
   if (const auto wrong = runs->try_control()) {
     return *wrong;
   }
@@ -62,18 +72,17 @@ Result<std::unique_ptr<StudyRuns>, Refusal> StudyRuns::create(const Study& study
 }
 
 StudyRuns::StudyRuns(const Study& study, StudyJobs jobs)
-    : study_(study),
-      jobs_(std::move(jobs)),
-      programs_(study),
-      draws_geometry_(std::ranges::any_of(
-          study.drawn, [](const DrawnAxis& axis) { return changes_geometry(axis.target); })) {}
+    : study_(study), jobs_(std::move(jobs)), programs_(study) {}
 
 StudyRuns::~StudyRuns() = default;
 
-void StudyRuns::make_points() {
+/// @param first  what a study of no variations would run
+void StudyRuns::make_points(const setup::Job& first) {
+  draws_geometry_ = std::ranges::any_of(
+      study_.drawn, [&](const DrawnAxis& axis) { return changes_geometry(axis.target, first); });
   const bool by_point =
-      jobs_.stacks().size() > 1 || std::ranges::any_of(study_.listed, [](const ListedAxis& axis) {
-        return axis.target && changes_geometry(*axis.target);
+      jobs_.stacks().size() > 1 || std::ranges::any_of(study_.listed, [&](const ListedAxis& axis) {
+        return axis.target && changes_geometry(*axis.target, first);
       });
   const std::size_t count = point_count(study_);
   for (std::size_t i = 0; i < count; ++i) {

@@ -59,7 +59,7 @@ class StudyRuns {
 
   StudyRuns(const Study& study, StudyJobs jobs);
   std::optional<Refusal> try_control();
-  void make_points();
+  void make_points(const setup::Job& first);
   void describe();
   [[nodiscard]] std::string inputs();
 
@@ -78,7 +78,7 @@ class StudyRuns {
   Description description_;
   std::vector<std::unique_ptr<Point>> points_;
   std::vector<std::unique_ptr<Geometry>> geometries_;  ///< one for all points, or one for each
-  bool draws_geometry_;
+  bool draws_geometry_ = false;
   std::string part_findings_;
 };
 
