@@ -37,9 +37,9 @@ class FanucPrograms final : public ProgramSet {
     if (library_.add_file(path) != fanuc::ProgramLibrary::Added::Yes) {
       return false;
     }
-    for (const fanuc::CompiledProgram* const program : library_.programs_of(path)) {
-      reading_.every_block_calls |= lets_every_block_call(*program);
-    }
+    const auto programs = library_.programs_of(path);
+    reading_.every_block_calls |=
+        !programs.empty() && lets_every_block_call(*programs.front()->tree);
     return true;
   }
   void add_folder(const std::string& folder) override { library_.add_folder(folder); }
@@ -68,10 +68,14 @@ class FanucPrograms final : public ProgramSet {
   std::vector<Flow> flows(const std::string& path) override {
     std::vector<Flow> all;
     const auto programs = library_.programs_of(path);
+    WordReading reading = reading_;
+    if (!programs.empty()) {
+      reading.in_increments = is_in_increments(*programs.front()->tree, reading.points);
+    }
     for (const fanuc::CompiledProgram* const program : programs) {
       // An O number without blocks beside real programs is what some editors leave behind.
       if (program->steps.size() > 1 || programs.size() == 1) {
-        all.push_back(flow_of(*program, profile_, reading_));
+        all.push_back(flow_of(*program, profile_, reading));
       }
     }
     return all;

@@ -296,11 +296,11 @@ FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profi
     : program_(program),
       profile_(profile),
       reading_(reading),
-      is_in_increments_(is_in_increments(*program.tree, reading.points)) {}
+      is_in_increments_(reading.in_increments ? *reading.in_increments
+                                              : is_in_increments(*program.tree, reading.points)) {}
 
-bool lets_every_block_call(const fanuc::CompiledProgram& program) {
-  return std::ranges::any_of(program.tree->words,
-                             [](const Word& word) { return is_g(word, 66.1); });
+bool lets_every_block_call(const syntax::Tree& tree) {
+  return std::ranges::any_of(tree.words, [](const Word& word) { return is_g(word, 66.1); });
 }
 
 WordFindings FanucWords::judge(const syntax::Block& block) {

@@ -14,6 +14,7 @@ struct WordReading {
   std::set<int> calling_codes;     ///< G codes that the sheet makes macro calls
   bool every_block_calls = false;  ///< G66.1 is in one of the programs, and lasts in what it calls
   PointReading points;
+  std::optional<bool> in_increments = {};  ///< of the file, as is_in_increments(); none: not known
 };
 
 /// What is found in the words of a block.
@@ -44,6 +45,6 @@ class FanucWords {
 };
 
 /// Whether a program has G66.1.
-bool lets_every_block_call(const fanuc::CompiledProgram& program);
+bool lets_every_block_call(const syntax::Tree& tree);
 
 }  // namespace g31::analysis

@@ -370,21 +370,34 @@ void SinumerikTranslation::close_parts() {
   for (const RepeatedPart& part : parts_) {
     by_end[part.end].push_back(part);
   }
-  for (Draft& draft : drafts_) {
-    for (std::size_t i = 0; i < draft.edges.size() && !by_end.empty(); ++i) {
+  if (parts_.empty()) {
+    return;
+  }
+  std::vector<std::size_t> leads_from(drafts_.size(), drafts_.size());  // by where an edge leads
+  for (std::size_t from = 0; from < drafts_.size(); ++from) {
+    Draft& draft = drafts_[from];
+    for (const Edge& edge : draft.edges) {
+      leads_from[edge.to] = from;
+    }
+    const auto add = [&](BlockIndex to) {
+      if (std::exchange(leads_from[to], from) != from) {
+        draft.edges.push_back({to, EdgeKind::Part});
+      }
+    };
+    for (std::size_t i = 0; i < draft.edges.size(); ++i) {
       const auto ending = by_end.find(draft.edges[i].to);
       if (ending == by_end.end()) {
         continue;
       }
       for (const RepeatedPart& part : ending->second) {
-        add_edge(draft, {part.first, EdgeKind::Part});
-        add_edge(draft, {part.behind, EdgeKind::Part});
+        add(part.first);
+        add(part.behind);
       }
     }
     for (const RepeatedPart& part : parts_) {
       if (draft.to_any_label) {
-        add_edge(draft, {part.first, EdgeKind::Part});
-        add_edge(draft, {part.behind, EdgeKind::Part});
+        add(part.first);
+        add(part.behind);
       }
     }
   }

@@ -61,7 +61,7 @@ class CrossingSearch {
   /// done with all
   bool look_at(std::size_t group) {
     const EightBoxes& here = boxes_.group(group);
-    compared_ += boxes_.groups_near(here.around(), group, near_);
+    has_near_ = false;
     for (std::size_t lane = 0; lane < facets_of(group); ++lane) {
       if (!look_from(group, lane, here.at(lane))) {
         return false;
@@ -75,6 +75,10 @@ class CrossingSearch {
     const auto facet = facet_in_plane(mesh_, t);
     if (!facet) {
       return true;
+    }
+    if (!has_near_) {  // of facets without area, which may all lie in one place, nothing is asked
+      compared_ += boxes_.groups_near(boxes_.group(group).around(), group, near_);
+      has_near_ = true;
     }
     for (const std::uint32_t other : near_) {
       unsigned int meeting = boxes_.group(other).meet(box);
@@ -122,6 +126,7 @@ class CrossingSearch {
   double little_ = 0.0;
   std::uint64_t compared_ = 0;
   std::vector<std::uint32_t> near_;  ///< groups near the one at hand
+  bool has_near_ = false;            ///< it has been asked for them
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -73,13 +74,18 @@ class DefectSearch {
 
   /// Facets with the same corners, once each: at the edge of their two least.
   void look_for_doubles(std::uint32_t low, std::span<const EdgeUse> uses) {
-    for (std::size_t i = 1; i < uses.size(); ++i) {
+    constexpr std::size_t kFew = 16;  // among so many looking is quicker than keeping
+    const bool are_many = uses.size() > kFew;
+    std::set<std::uint32_t> tops;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
       const std::uint32_t top = top_of(low, uses[i]);
-      const bool is_double =
-          top > uses[i].high && std::ranges::any_of(uses.first(i), [&](const EdgeUse& before) {
-            return top_of(low, before) == top;
-          });
-      if (is_double) {
+      const auto is_top = [&](const EdgeUse& before) { return top_of(low, before) == top; };
+      const bool was_before =
+          are_many ? !tops.insert(top).second : std::ranges::any_of(uses.first(i), is_top);
+      if (are_many) {
+        steps_.step();
+      }
+      if (was_before && top > uses[i].high) {
         note(defects_.self_contacts, middle_of(uses[i].number()));
       }
     }

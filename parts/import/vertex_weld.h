@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -27,13 +28,14 @@ class VertexWeld {
     __builtin_prefetch(&slots_[first_slot_of(p + Point::Zero())]);
   }
 
-  /// @param p  without NaN; @returns its number among the vertices of the mesh
+  /// @returns the number of a point among the vertices of the mesh
   std::uint32_t vertex_at(const Point& p) {
     // + 0.0 turns -0 into 0: the two are the same place but not the same bits.
     const Point place = p + Point::Zero();
     std::size_t at = first_slot_of(place);
     for (; slots_[at] != kNone; at = (at + 1) & (slots_.size() - 1)) {
-      if (mesh_.vertices[slots_[at]] == place) {
+      // By bits, so that numbers that are none are found again, too.
+      if (std::memcmp(mesh_.vertices[slots_[at]].data(), place.data(), sizeof place) == 0) {
         return slots_[at];
       }
     }

@@ -96,6 +96,17 @@ TEST(Desk, SwitchesOfThePanel) {
   const json stops = json::parse(testing::text_of(path)).at("stops");
   EXPECT_EQ(stops.at(0).at("passed"), true);
   EXPECT_FALSE(stops.at(1).contains("passed"));
+  const std::string events = folder.path("e.jsonl");
+  for (const bool stops_at_m01 : {false, true}) {
+    std::vector<std::string> options = {"--jsonl", events};
+    if (stops_at_m01) {
+      options.emplace_back("--optional-stop");
+    }
+    run_of("a.nc", "O1\nM01\nM00\nM30\n", options);
+    const std::string told = testing::text_of(events);
+    EXPECT_EQ(std::ranges::count(told, '\n'), 4) << told;  // start, two stops, end
+    EXPECT_EQ(told.find("\"passed\":true") == std::string::npos, stops_at_m01) << told;
+  }
 }
 
 TEST(Desk, AnAlarmShowsTheLocalsOfItsFrame) {

@@ -216,6 +216,24 @@ TEST_F(Plan, TheSheetOfAShopKeepsItsMachineAndItsFiles) {
   EXPECT_NE(made.find("on = \"G54\""), std::string::npos) << made;
 }
 
+// As people name their control on the command line and in their sheets.
+TEST_F(Plan, ASheetMayNameAModelOfTheControl) {
+  const std::string sheet = folder_.write(
+      "model.toml",
+      "[control]\nprofile = \"0i-MF\"\n[work_offsets.G54]\nX = 300.0\nY = -200.0\nZ = -300.0\n"
+      "[tools.1]\nlength = 120.0\n[probe]\nlength = 120.0\n");
+  for (const char* const control : {"0i-MF", "fanuc-30i"}) {
+    const CommandOutput output =
+        plan({kProduct, "--stock", "box", "--setup", sheet, "--control", control});
+    EXPECT_EQ(output.exit_code, 0) << control << "\n" << output.errors;
+  }
+  const CommandOutput other =
+      plan({kProduct, "--stock", "box", "--setup", sheet, "--control", "haas"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.errors.find("the sheet is for 0i-MF, the program for haas"), std::string::npos)
+      << other.errors;
+}
+
 // An axis that ends before a feature leaves that one out.
 TEST_F(Plan, WhatTheAxesDoNotGetToIsNotMeasured) {
   const std::string sheet = folder_.write(

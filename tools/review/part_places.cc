@@ -62,8 +62,11 @@ void judge_twins(const setup::Job& job, std::size_t part,
     if (is_same_body(own, other)) {
       add_at_part(job, part, SetupRuleId::SamePart,
                   fmt::format("'{}' and '{}'", other.name, own.name), findings);
-    } else if (own.name == other.name) {
+      return;  // the first one is enough
+    }
+    if (own.name == other.name) {
       add_at_part(job, part, SetupRuleId::PartTwice, fmt::format("'{}'", own.name), findings);
+      return;
     }
   }
 }

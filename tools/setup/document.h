@@ -45,6 +45,7 @@ struct Document {
   std::size_t order = 0;  ///< the how-manieth file of the job
   std::string text;
   Table root;
+  std::vector<std::size_t> line_begins;  ///< in the text, of each line
 
   /// The text of a line without its line break; "" when there is no such line.
   [[nodiscard]] std::string_view line(int number) const;

@@ -305,6 +305,7 @@ class StudyFill {
         errors_.add(SetupErrorId::BadVariation, axis.values[i].where,
                     {fmt::format("has two values called {}", labels[i])},
                     "tables could not tell them apart: leave one out, or give `labels`");
+        break;  // one message says it
       }
     }
     study_.listed.push_back(std::move(axis));

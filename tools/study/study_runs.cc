@@ -40,12 +40,12 @@ using session::Refusal;
 bool changes_geometry(const setup::VariedKey& key, const setup::Job& job) {
   using setup::KeyId;
   using setup::SectionId;
-  constexpr KeyId kKeys[] = {
+  constexpr KeyId kGeometry[] = {
       KeyId::ProbeBallDiameter, KeyId::ProbeStemDiameter, KeyId::SecondBall,     KeyId::AxisCentre,
       KeyId::AxisDirection,     KeyId::MachineTableSide,  KeyId::MachineToolSide};
   return key.section == SectionId::Part || key.section == SectionId::ToolProbe ||
          (key.section == SectionId::WorkOffsets && job.has_parts_on_offsets) ||
-         std::ranges::find(kKeys, key.row->id) != std::end(kKeys);
+         std::ranges::find(kGeometry, key.row->id) != std::end(kGeometry);
 }
 
 }  // namespace

@@ -37,15 +37,11 @@ void use_line_feeds(std::string& text) {
   }
 }
 
-/// The first program of a file that has this key, behind those before `from`.
-std::optional<std::size_t> place_in(const syntax::Tree& tree, std::string_view text,
-                                    const ProgramKey& key, std::size_t from = 0) {
-  for (std::size_t i = from; i < tree.programs.size(); ++i) {
-    if (key_in(text, tree.programs[i]) == key) {
-      return i;
-    }
-  }
-  return std::nullopt;
+/// Whether a text has a program of this key.
+bool has_program_of(std::string_view text, const ProgramKey& key) {
+  const syntax::Tree tree = parse(text);
+  return std::ranges::any_of(
+      tree.programs, [&](const syntax::Program& program) { return key_in(text, program) == key; });
 }
 
 /// The text of a file as a control reads it.
@@ -57,10 +53,8 @@ std::string as_read(std::string text) {
 }  // namespace
 
 ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
-  for (const auto& file : loaded_) {
-    if (file->path == path) {
-      return file.get();
-    }
+  if (const auto known = loaded_by_path_.find(path); known != loaded_by_path_.end()) {
+    return known->second;
   }
   auto text = files_.read(path);
   if (!text || text->size() >= std::numeric_limits<std::uint32_t>::max()) {
@@ -69,9 +63,16 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   auto file = std::make_unique<File>();
   file->path = path;
   file->source = &sources_.whole(path, as_read(*std::move(text)));
-  file->tree = parse(file->source->text());
+  read_tree(*file);
   loaded_.push_back(std::move(file));
-  return loaded_.back().get();
+  return loaded_by_path_[path] = loaded_.back().get();
+}
+
+void ProgramLibrary::read_tree(File& file) {
+  file.tree = parse(file.source->text());
+  for (std::size_t i = 0; i < file.tree.programs.size(); ++i) {
+    file.places.emplace(key_in(file.source->text(), file.tree.programs[i]), i);
+  }
 }
 
 ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
@@ -85,11 +86,15 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
       return Added::Yes;
     }
   }
-  if (load(path) == nullptr) {
+  File* const file = load(path);
+  if (file == nullptr) {
     return Added::Unreadable;
   }
   if (!is_main) {
     further_files_.push_back(path);
+    for (const auto& [key, place] : file->places) {
+      in_further_files_.emplace(key, file);
+    }
   }
   return Added::Yes;
 }
@@ -214,15 +219,14 @@ void ProgramLibrary::report_twice(const CompiledProgram& taken, syntax::ShortSpa
 
 const CompiledProgram* ProgramLibrary::find_in(File& file, const ProgramKey& key) {
   const auto& programs = file.tree.programs;
-  const std::string_view text = file.source->text();
-  const auto first = place_in(file.tree, text, key);
-  if (!first) {
+  const auto [first, end] = file.places.equal_range(key);
+  if (first == end) {
     return nullptr;
   }
-  const CompiledProgram* const found = compiled(file, *first);
-  if (const auto second = place_in(file.tree, text, key, *first + 1)) {
-    const auto other = sources_.show(file.source->at(programs[*second].name.widened()));
-    report_twice(*found, programs[*first].name, fmt::format("that of line {}", other.line));
+  const CompiledProgram* const found = compiled(file, first->second);
+  if (const auto second = std::next(first); second != end) {
+    const auto other = sources_.show(file.source->at(programs[second->second].name.widened()));
+    report_twice(*found, programs[first->second].name, fmt::format("that of line {}", other.line));
   }
   return found;
 }
@@ -284,7 +288,7 @@ bool ProgramLibrary::has_program(UnnamedFile& file, const std::string& path,
   if (!file.heads) {
     file.heads.emplace(*text);
   }
-  return file.heads->may_have(key) && place_in(parse(*text), *text, key).has_value();
+  return file.heads->may_have(key) && has_program_of(*text, key);
 }
 
 /// The program of this number or name in files whose names say none.  A second one is told, where
@@ -295,7 +299,7 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(Folder& folder, const Pro
     const std::string path = joined(folder.path, unnamed.name);
     const bool is_too_long = found != nullptr && files_.size(path).value_or(0) > kLongestSubprogram;
     File* const file = !is_too_long && has_program(unnamed, path, key) ? load(path) : nullptr;
-    if (file == nullptr || !place_in(file->tree, file->source->text(), key)) {
+    if (file == nullptr || !file->places.contains(key)) {
       continue;
     }
     if (found != nullptr) {
@@ -334,7 +338,7 @@ const CompiledProgram* ProgramLibrary::find_alone(const ProgramKey& key) {
   auto alone = std::make_unique<Alone>(
       Alone{sources_.window(main_path_, here->offset, here->line, *std::move(text)), {}});
   alone->file.source = &alone->text;
-  alone->file.tree = parse(alone->text.text());
+  read_tree(alone->file);
   const auto& programs = alone->file.tree.programs;
   if (programs.size() != 1 || key_in(alone->text.text(), programs.front()) != key) {
     return nullptr;
@@ -361,15 +365,26 @@ const CompiledProgram* ProgramLibrary::find_in(const std::string& path, const Pr
   return found != nullptr ? found : find_by_file(path, key.name);
 }
 
+/// The first of them that has the program; one has a name as its file's, too.
+const CompiledProgram* ProgramLibrary::find_in_further_files(const ProgramKey& key) {
+  if (key.name.empty()) {
+    const auto file = in_further_files_.find(key);
+    return file != in_further_files_.end() ? find_in(*file->second, key) : nullptr;
+  }
+  const CompiledProgram* found = nullptr;
+  for (std::size_t i = 0; i < further_files_.size() && found == nullptr; ++i) {
+    found = find_in(further_files_[i], key);
+  }
+  return found;
+}
+
 const CompiledProgram* ProgramLibrary::find(const ProgramKey& key) {
   const auto known = known_.find(key);
   if (known != known_.end()) {
     return known->second;
   }
   const CompiledProgram* found = find_in_main(key);
-  for (std::size_t i = 0; i < further_files_.size() && found == nullptr; ++i) {
-    found = find_in(further_files_[i], key);
-  }
+  found = found != nullptr ? found : find_in_further_files(key);
   for (std::size_t i = 0; i < folders_.size() && found == nullptr; ++i) {
     found = find_in(folders_[i], key);
   }

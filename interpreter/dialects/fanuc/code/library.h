@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,7 @@ class ProgramLibrary {
     const source::SourceFile* source = nullptr;
     syntax::Tree tree;
     std::map<std::size_t, std::unique_ptr<CompiledProgram>> compiled;
+    std::multimap<ProgramKey, std::size_t> places;  ///< of programs in the tree, by what they say
   };
   /// One program of a long main file.
   struct Alone {
@@ -108,8 +110,11 @@ class ProgramLibrary {
   const CompiledProgram* find_in_unnamed(Folder& folder, const ProgramKey& key);
   const CompiledProgram* find_by_file(const std::string& path, const std::string& name);
   File* load(const std::string& path);
+  /// Its programs from its source.
+  static void read_tree(File& file);
   const CompiledProgram* whole_main();
   const CompiledProgram* find_in_main(const ProgramKey& key);
+  const CompiledProgram* find_in_further_files(const ProgramKey& key);
   const CompiledProgram* find_alone(const ProgramKey& key);
   const std::vector<ProgramBeginning>& main_beginnings();
   const CompiledProgram* load_from(Folder& folder, const std::string& name, int number);
@@ -119,8 +124,10 @@ class ProgramLibrary {
   source::FileSystem& files_;
   const Profile* profile_ = &profiles().front();
   std::vector<std::unique_ptr<File>> loaded_;
+  std::unordered_map<std::string, File*> loaded_by_path_;
   std::vector<Folder> folders_;
   std::vector<std::string> further_files_;
+  std::map<ProgramKey, File*> in_further_files_;  ///< the first of them that has it
   std::string main_path_;
   std::uint64_t main_bytes_ = 0;
   ProgramKey main_key_;                      ///< of a long main program

@@ -201,7 +201,7 @@ struct CompiledProgram {
   std::vector<BlockError> errors;
   std::vector<UnknownDatum> unknown_data;     ///< each name once
   NameMap<std::vector<std::int32_t>> labels;  ///< their steps, rising
-  std::vector<BlockNumber> block_numbers;     ///< in their order
+  std::vector<BlockNumber> block_numbers;     ///< rising, those of one number by their step
   syntax::NestedSteps bodies;                 ///< of loops and of the branches of IF
   NameMap<std::int32_t> locals;               ///< names of local variables
   std::vector<double> initial_numbers;        ///< of a new level

@@ -29,6 +29,7 @@ RepeatSite LabelJumps::site_of(const Part& part, const CompiledProgram& program)
 }
 
 void LabelJumps::resolve(CompiledProgram& program, CodeWriter& code) const {
+  std::ranges::stable_sort(program.block_numbers, {}, &BlockNumber::number);
   for (const Jump& jump : jumps_) {
     Op& op = program.ops[static_cast<std::size_t>(jump.step)];
     const auto target = find_label(program, jump.label, jump.step, jump.direction);
@@ -64,10 +65,9 @@ std::vector<std::int32_t> steps_of(const CompiledProgram& program, std::string_v
                         std::from_chars(name.data() + 1, name.data() + name.size(), number).ptr ==
                             name.data() + name.size();
   if (numbered) {
-    for (const BlockNumber& block : program.block_numbers) {
-      if (block.number == number) {
-        steps.push_back(block.step);
-      }
+    for (const BlockNumber& block :
+         std::ranges::equal_range(program.block_numbers, number, {}, &BlockNumber::number)) {
+      steps.push_back(block.step);
     }
   }
   return steps;
