@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -339,6 +340,43 @@ TEST(WindingNumber, SaysWhatIsInside) {
   EXPECT_NEAR(winding_number(turned_over(box), {1, 2, 3}), -1.0, 1e-12);
   EXPECT_NEAR(winding_number(hollow, {5, 5, 5}), 0.0, 1e-12);
   EXPECT_NEAR(winding_number(hollow, {5, 5, 1}), 1.0, 1e-12);
+}
+
+// Few and many are looked through in different ways.
+TEST(MeshDefects, PagesOnOneEdgeAreOneContactAndEachDoubledPageAnother) {
+  for (const std::uint32_t pages : {3U, 16U, 17U, 300U}) {
+    Mesh book;
+    book.vertices = {{0.0, 0.0, 0.0}, {0.0, 0.0, 10.0}};
+    for (std::uint32_t page = 0; page < pages; ++page) {
+      const double angle = 2.0 * std::numbers::pi * page / pages;
+      book.vertices.emplace_back(10.0 * std::cos(angle), 10.0 * std::sin(angle), 5.0);
+      book.triangles.push_back({0, 1, page + 2});
+    }
+    EXPECT_EQ(defects_of(book).self_contacts.count, 1U) << pages;
+    book.triangles.push_back({1, 0, 2});
+    book.triangles.push_back({0, 1, pages + 1});
+    EXPECT_EQ(defects_of(book).self_contacts.count, 3U) << pages;
+  }
+}
+
+// They all lie in one place, where the search would hold each against all.
+TEST(MeshDefects, AMillionFacetsInOnePointAreFlatAndNothingElse) {
+  Mesh mesh = box_mesh({10, 10, 10});
+  mesh.triangles.resize(1'000'000, {0, 0, 0});
+  const CrossingFacets crossing = crossing_facets(mesh);
+  EXPECT_EQ(crossing.facets.size(), 0U);
+  EXPECT_EQ(crossing.looked_at, mesh.triangles.size());
+}
+
+// Bytes that are no numbers are told by who reads the file: here they are a place like others.
+TEST(VertexWeld, FindsWhatIsNoNumberAgain) {
+  Mesh mesh;
+  VertexWeld weld(mesh);
+  const Point none = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(weld.vertex_at(none), 0U);
+  EXPECT_EQ(weld.vertex_at({0.0, 1.0, 2.0}), 1U);
+  EXPECT_EQ(weld.vertex_at({-0.0, 1.0, 2.0}), 1U);
+  EXPECT_EQ(weld.vertex_at(none), 0U);
 }
 
 }  // namespace
