@@ -6,8 +6,9 @@
 namespace g31::sinumerik {
 
 void LabelJumps::take_back(std::size_t first_step) {
-  std::erase_if(
-      jumps_, [&](const Jump& jump) { return static_cast<std::size_t>(jump.step) >= first_step; });
+  while (!jumps_.empty() && static_cast<std::size_t>(jumps_.back().step) >= first_step) {
+    jumps_.pop_back();  // they are in the order of their steps
+  }
 }
 
 /// Where a part begins and ends.  One that begins before its REPEAT ends there at the latest: an
