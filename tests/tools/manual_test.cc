@@ -122,7 +122,7 @@ TEST(Manual, SaysWhatAKeyTakes) {
 
 TEST(Manual, SaysWhichKeysASectionHas) {
   const std::string text = explained("[probe]");
-  EXPECT_EQ(text.find("[probe] (section of a set-up sheet)\n  the touch probe in the spindle\n"),
+  EXPECT_EQ(text.find("[probe] (section of a set-up sheet)\n  the touch probe in the spindle; "),
             0U);
   EXPECT_NE(text.find("    ball_diameter: diameter of the stylus ball (mm)\n"), std::string::npos);
   EXPECT_NE(text.find("    [[probe.ball]]: "), std::string::npos);

@@ -130,7 +130,7 @@ TEST_F(SetupTools, StudiesVaryThem) {
   ASSERT_TRUE(varied.ok());
   EXPECT_EQ(varied.value().tools.at(0).length_mm, 99.5);
   EXPECT_EQ(varied.value().tool_probes.at(0).p_M_at, Point(0.0, 7.0, 0.0));
-  EXPECT_NE(find_varied_key("tool.body.length").error().find("has no names"), std::string::npos);
+  EXPECT_NE(find_varied_key("tool.body.length").error().find("of lists only"), std::string::npos);
 }
 
 const ErrorCase kOfTools[] = {

@@ -42,7 +42,8 @@ std::vector<double> readings(const std::string& program, const std::string& shee
   EXPECT_EQ(output.exit_code, 0) << output.errors;
   std::vector<double> values;
   if (output.exit_code == 0) {
-    for (const json& row : json::parse(output.out).at("rows")) {
+    const json document = json::parse(output.out);
+    for (const json& row : document.at("rows")) {
       values.push_back(row.at("results").at(0));
     }
   }
