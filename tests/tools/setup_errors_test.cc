@@ -277,11 +277,6 @@ const ErrorCase kSayWhatAValueIsAndWhatItShouldBe[] = {
     2 | table_side = "CU"
       |              ^
 )"},
-    {"a factor that makes all places one", "[work_offsets.G54]\nscale = [0, 1, 1]\n",
-     R"(sheet1.toml:2:9: error: work_offsets.G54.scale is [0, 1, 1], it should be three numbers, none of them 0 [SET105]
-    2 | scale = [0, 1, 1]
-      |         ^
-)"},
     {"a direction that points nowhere", "[machine.axes.C]\ndirection = [0, 0, 0.0]\n",
      R"(sheet1.toml:2:13: error: machine.axes.C.direction is [0, 0, 0], it should be three numbers, not all 0 [SET105]
     2 | direction = [0, 0, 0.0]
