@@ -52,8 +52,9 @@ endfunction()
 function(g31_link_across_files name)
   if(g31_links_across_files)
     target_compile_options(${name} PRIVATE -flto=auto)
-    # In one piece: where the linker divides the code costs or gains lines a tenth, by chance.
-    target_link_options(${name} PRIVATE -flto=auto -flto-partition=none)
+    # In two pieces, side by side: 31 s in the place of 56.  Where the linker divides the code costs or gains lines a
+    # tenth, by chance; this way they take 0.94 of the time of one piece, arcs 1.02, written calls 0.97.
+    target_link_options(${name} PRIVATE -flto=auto -flto-partition=balanced --param=lto-partitions=2)
   endif()
 endfunction()
 
