@@ -202,8 +202,9 @@ class TableReader {
         "{}={}", column.name, nearest && !nearest->empty() ? *nearest : std::string_view("NAME"));
     const std::string word = as_field(pair, ',');
     return data_error(DataErrorId::MissingColumn, file_, here(), {name, list},
-                      fmt::format("--columns {} says which column is {}",
-                                  word == pair ? pair : fmt::format("'{}'", word), column.name));
+                      fmt::format("--columns {} says which column is {}{}{}",
+                                  word == pair ? pair : fmt::format("'{}'", word), column.name,
+                                  column.otherwise.empty() ? "" : "; ", column.otherwise));
   }
 
   std::optional<DataError> read_row() {

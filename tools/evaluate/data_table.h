@@ -20,6 +20,7 @@ struct WantedColumn {
   ColumnKind kind = ColumnKind::Number;
   std::string other_name = {};  ///< taken where there is no `name`; "": none
   bool is_optional = false;
+  std::string_view otherwise = {};  ///< what to say where the file has no such column
 };
 
 /// How the columns of a file are to be taken.

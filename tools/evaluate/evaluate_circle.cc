@@ -164,9 +164,8 @@ std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, con
   }
   if (!circle.fit.has_mismatch) {
     notes.emplace_back(
-        "only one direction: servo_mismatch, which cannot be separated from squareness, is taken "
-        "as "
-        "0");
+        "only one direction: servo_mismatch, which cannot be separated from squareness, is "
+        "taken as 0");
   }
   constexpr double kMuchMore = 1.1;
   if (circle.minimum_zone && circle.radial_error.width() > kMuchMore * *circle.minimum_zone) {

@@ -17,7 +17,8 @@ std::vector<WantedColumn> wanted_columns(const Request& request) {
     wanted.push_back({axis, ColumnKind::Length, axis + "_true"});
   }
   if (needs_time(request)) {
-    wanted.push_back({"t", ColumnKind::Number, "time_s"});
+    wanted.push_back({"t", ColumnKind::Number, "time_s", false,
+                      "--interval is the time from row to row of a file without one"});
   } else if (request.interval_s) {
     wanted.push_back({"t", ColumnKind::Text, "time_s", true});
   }

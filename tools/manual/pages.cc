@@ -84,8 +84,8 @@ std::string codes_page() {
   std::string page = page_head("Codes of messages", "codes.md");
   page +=
       "Every message about a program, its run or a sheet has a code that does not change; those "
-      "about the command line have\nnone.  `g31 explain CODE` says the same as "
-      "this page; alarms of a control: `g31 explain 'alarm 115' --control haas`.\n";
+      "about the command line\nhave none.  `g31 explain CODE` says the same as this page; alarms "
+      "of a control: `g31 explain 'alarm 115' --control haas`.\n";
   std::string_view kind;
   const runtime::Entries entries = all_code_entries();
   for (const runtime::Entry& entry : entries) {

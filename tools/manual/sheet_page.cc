@@ -103,8 +103,7 @@ void add_shapes(std::string& page) {
 void add_units(std::string& page) {
   page +=
       "\n## Units\n\nNumbers stay within what no machine goes beyond; one that must not be "
-      "negative "
-      "is 0, where that is allowed, or as large as the least.\n\n";
+      "negative is 0, where that is allowed, or as large as the least.\n\n";
   page += table_head({"unit", "least", "most"});
   for (const setup::UnitBounds& unit : setup::bounded_units()) {
     page += table_row({unit.name, fmt::format("{:g}", unit.least), fmt::format("{:g}", unit.most)});
