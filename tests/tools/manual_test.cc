@@ -135,6 +135,7 @@ TEST(Manual, SaysSizesAndOriginOfAShape) {
             0U);
   EXPECT_NE(text.find("    bore: diameter of the bore; 39.996 if not given\n"), std::string::npos);
   EXPECT_NE(explained("ring.bore").find("bore of shape ring"), std::string::npos);
+  EXPECT_NE(explained("part.bore").find("bore of shape ring"), std::string::npos);
   EXPECT_NE(explained("ring.wall").find("thickness between bore and outside"), std::string::npos);
   EXPECT_NE(explained("at.X").find("machine coordinate X of the part's origin"), std::string::npos);
 }

@@ -75,7 +75,8 @@ Entries shape_entries(std::string_view topic) {
     }
   }
   for (const parts::ShapeSize& size : parts::shape_sizes()) {
-    if (is_named(size, topic)) {
+    const bool is_key = topic == fmt::format("part.{}", size.name);  // as messages name it
+    if (is_key || is_named(size, topic)) {
       found.push_back(entry_of_size(size));
     }
   }
