@@ -293,11 +293,7 @@ bool begins_data(Words words) {
 
 FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
                        const WordReading& reading)
-    : program_(program),
-      profile_(profile),
-      reading_(reading),
-      is_in_increments_(reading.in_increments ? *reading.in_increments
-                                              : is_in_increments(*program.tree, reading.points)) {}
+    : program_(program), profile_(profile), reading_(reading) {}
 
 bool lets_every_block_call(const syntax::Tree& tree) {
   return std::ranges::any_of(tree.words, [](const Word& word) { return is_g(word, 66.1); });
@@ -314,7 +310,7 @@ WordFindings FanucWords::judge(const syntax::Block& block) {
     return {};
   }
   const JudgedBlock judged(words, block.span, profile_, reading_);
-  return {judged.judge(), is_in_increments_ ? std::vector<LostPoint>() : judged.lost_points()};
+  return {judged.judge(), reading_.in_increments ? std::vector<LostPoint>() : judged.lost_points()};
 }
 
 }  // namespace g31::analysis

@@ -14,7 +14,7 @@ struct WordReading {
   std::set<int> calling_codes;     ///< G codes that the sheet makes macro calls
   bool every_block_calls = false;  ///< G66.1 is in one of the programs, and lasts in what it calls
   PointReading points;
-  std::optional<bool> in_increments = {};  ///< of the file, as is_in_increments(); none: not known
+  bool in_increments = false;  ///< the file of the program is, as is_in_increments() says
 };
 
 /// What is found in the words of a block.
@@ -40,7 +40,6 @@ class FanucWords {
   const fanuc::CompiledProgram& program_;
   const fanuc::Profile& profile_;
   const WordReading& reading_;
-  bool is_in_increments_;
   bool takes_data_ = false;  ///< from G10 L3 or L50 to G11
 };
 

@@ -35,4 +35,11 @@ LineColumn LineStarts::at(std::size_t offset) const {
           static_cast<int>(offset - *std::prev(next) + 1)};
 }
 
+std::optional<std::size_t> LineStarts::begin_of(int line) const {
+  if (line < 1 || static_cast<std::size_t>(line) > starts_.size()) {
+    return std::nullopt;
+  }
+  return starts_[static_cast<std::size_t>(line) - 1];
+}
+
 }  // namespace g31::source

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,9 @@ class LineStarts {
 
   /// @param offset  0 to the size of the text, whose end is a legal place for a message
   [[nodiscard]] LineColumn at(std::size_t offset) const;
+
+  /// Where a line begins.  @param line  from 1; nullopt: there is no such line
+  [[nodiscard]] std::optional<std::size_t> begin_of(int line) const;
 
  private:
   std::size_t size_;

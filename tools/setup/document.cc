@@ -124,22 +124,14 @@ Node node_from(const toml::node& source, int depth) {
   return node;
 }
 
-std::vector<std::size_t> begins_of_lines(std::string_view text) {
-  std::vector<std::size_t> begins = {0};
-  for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) {
-    begins.push_back(end + 1);
-  }
-  return begins;
-}
-
 }  // namespace
 
 std::string_view Document::line(int number) const {
-  if (number < 1 || static_cast<std::size_t>(number) > line_begins.size()) {
+  const auto begin = lines.begin_of(number);
+  if (!begin) {
     return {};
   }
-  std::string_view rest =
-      std::string_view(text).substr(line_begins[static_cast<std::size_t>(number) - 1]);
+  std::string_view rest = std::string_view(text).substr(*begin);
   rest = rest.substr(0, rest.find('\n'));
   if (rest.ends_with('\r')) {
     rest.remove_suffix(1);
@@ -151,7 +143,7 @@ Result<std::shared_ptr<const Document>, SetupError> read_document(const std::str
                                                                   std::size_t order) {
   FileText file = read_file(path);
   if (!file.reason.empty()) {
-    const Document unread{path, order, {}, {}, {}};
+    const Document unread{path, order};
     return error_at(unread, SetupErrorId::CannotRead, {}, file.reason);
   }
   return parse_document(path, std::move(file.text), order);
@@ -161,8 +153,8 @@ Result<std::shared_ptr<const Document>, SetupError> parse_document(std::string p
                                                                    std::string text,
                                                                    std::size_t order) {
   const auto document = std::make_shared<Document>();
-  *document = {std::move(path), order, std::move(text), {}, {}};
-  document->line_begins = begins_of_lines(document->text);
+  *document = {std::move(path), order, std::move(text)};
+  document->lines = source::LineStarts(document->text);
   if (const Location deep = too_deep_key(*document); deep.document != nullptr) {
     return error_at(*document, SetupErrorId::Syntax, deep, "a key of more than 32 parts");
   }

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "interpreter/source/line_starts.h"
 #include "machine/base/result.h"
 
 namespace g31::setup {
@@ -45,7 +46,7 @@ struct Document {
   std::size_t order = 0;  ///< the how-manieth file of the job
   std::string text;
   Table root;
-  std::vector<std::size_t> line_begins;  ///< in the text, of each line
+  source::LineStarts lines{{}};  ///< of the text
 
   /// The text of a line without its line break; "" when there is no such line.
   [[nodiscard]] std::string_view line(int number) const;

@@ -64,7 +64,7 @@ Result<std::unique_ptr<StudyRuns>, Refusal> StudyRuns::create(const Study& study
     return first.error();
   }
   runs->make_points(first.value());
-  if (const auto wrong = runs->try_control()) {
+  if (const auto wrong = runs->try_control(first.value())) {
     return *wrong;
   }
   runs->describe();
@@ -97,20 +97,20 @@ void StudyRuns::make_points(const setup::Job& first) {
 }
 
 /// What the control does not take, and what of it cannot be read, stops the study before it begins.
-std::optional<Refusal> StudyRuns::try_control() {
-  const auto job = jobs_.at(0, {});
-  if (auto refusal = programs_.open(job.value())) {
+/// @param first  as for make_points()
+std::optional<Refusal> StudyRuns::try_control(const setup::Job& first) {
+  if (auto refusal = programs_.open(first)) {
     return refusal;
   }
   Geometry& geometry = *geometries_.front();
-  std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job.value(), study_)); });
+  std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(first, study_)); });
   if (!geometry.parts->ok()) {
     return geometry.parts->error();
   }
   for (const source::Diagnostic& finding : geometry.parts->value().findings) {
     part_findings_ += programs_.rendered(finding);
   }
-  return programs_.why_not(job.value());
+  return programs_.why_not(first);
 }
 
 void StudyRuns::describe() {

@@ -58,7 +58,7 @@ class StudyRuns {
   using Parts = Result<StudyParts, Refusal>;
 
   StudyRuns(const Study& study, StudyJobs jobs);
-  std::optional<Refusal> try_control();
+  std::optional<Refusal> try_control(const setup::Job& first);
   void make_points(const setup::Job& first);
   void describe();
   [[nodiscard]] std::string inputs();

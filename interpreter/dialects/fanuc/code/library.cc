@@ -53,8 +53,8 @@ std::string as_read(std::string text) {
 }  // namespace
 
 ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
-  if (const auto known = loaded_by_path_.find(path); known != loaded_by_path_.end()) {
-    return known->second;
+  if (const auto known = loaded_.find(path); known != loaded_.end()) {
+    return known->second.get();
   }
   auto text = files_.read(path);
   if (!text || text->size() >= std::numeric_limits<std::uint32_t>::max()) {
@@ -64,8 +64,7 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   file->path = path;
   file->source = &sources_.whole(path, as_read(*std::move(text)));
   read_tree(*file);
-  loaded_.push_back(std::move(file));
-  return loaded_by_path_[path] = loaded_.back().get();
+  return loaded_.emplace(path, std::move(file)).first->second.get();
 }
 
 void ProgramLibrary::read_tree(File& file) {

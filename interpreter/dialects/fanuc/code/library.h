@@ -123,8 +123,7 @@ class ProgramLibrary {
   source::SourceMap& sources_;
   source::FileSystem& files_;
   const Profile* profile_ = &profiles().front();
-  std::vector<std::unique_ptr<File>> loaded_;
-  std::unordered_map<std::string, File*> loaded_by_path_;
+  std::unordered_map<std::string, std::unique_ptr<File>> loaded_;  ///< by path
   std::vector<Folder> folders_;
   std::vector<std::string> further_files_;
   std::map<ProgramKey, File*> in_further_files_;  ///< the first of them that has it
