@@ -1,6 +1,7 @@
 #include <charconv>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,13 +34,20 @@ class FanucPrograms final : public ProgramSet {
     library_.compile_for(profile);
   }
 
+  void start_over() override {
+    library_.start_over();
+    reading_.every_block_calls = false;
+  }
   bool add_file(const std::string& path) override {
     if (library_.add_file(path) != fanuc::ProgramLibrary::Added::Yes) {
       return false;
     }
-    const auto programs = library_.programs_of(path);
-    reading_.every_block_calls |=
-        !programs.empty() && lets_every_block_call(*programs.front()->tree);
+    const auto [lets_call, is_new] = lets_every_block_call_.try_emplace(path, false);
+    if (is_new) {
+      const auto programs = library_.programs_of(path);
+      lets_call->second = !programs.empty() && lets_every_block_call(*programs.front()->tree);
+    }
+    reading_.every_block_calls |= lets_call->second;
     return true;
   }
   void add_folder(const std::string& folder) override { library_.add_folder(folder); }
@@ -106,6 +114,7 @@ class FanucPrograms final : public ProgramSet {
   const fanuc::Profile& profile_;
   fanuc::ProgramLibrary library_;
   WordReading reading_;
+  std::unordered_map<std::string, bool> lets_every_block_call_;  ///< by file, of those added so far
 };
 
 /// The G codes that a sheet makes macro calls: "G81" of [macro_calls], 6050 to 6059.

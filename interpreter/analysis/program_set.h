@@ -23,6 +23,9 @@ class ProgramSet {
   ProgramSet& operator=(const ProgramSet&) = delete;
   virtual ~ProgramSet() = default;
 
+  /// Files and folders are added anew from here on.  What was read of files may be kept: they are
+  /// taken not to change.
+  virtual void start_over() = 0;
   /// @returns whether the file could be read
   virtual bool add_file(const std::string& path) = 0;
   virtual void add_folder(const std::string& folder) = 0;

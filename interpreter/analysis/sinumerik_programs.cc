@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -19,35 +20,42 @@ namespace {
 class SinumerikPrograms final : public ProgramSet {
  public:
   SinumerikPrograms(source::SourceMap& sources, const runtime::ControlSetup& setup)
-      : library_(sources), callable_(library_) {
-    library_.expect_data(setup.data);
-    library_.expect_axes(setup.axis_names);
+      : sources_(sources), data_(setup.data), axis_names_(setup.axis_names) {
+    start_over();
+  }
+
+  /// What files define is in the code of all others: nothing is kept.
+  void start_over() override {
+    sites_.clear();
+    memory_.emplace(sources_);
+    memory_->library.expect_data(data_);
+    memory_->library.expect_axes(axis_names_);
   }
 
   bool add_file(const std::string& path) override {
-    return library_.add_file(path) == sinumerik::ProgramLibrary::Added::Yes;
+    return memory_->library.add_file(path) == sinumerik::ProgramLibrary::Added::Yes;
   }
-  void add_folder(const std::string& folder) override { library_.add_folder(folder); }
+  void add_folder(const std::string& folder) override { memory_->library.add_folder(folder); }
   void add_shipped_folder(const std::string& folder) override {
-    library_.add_shipped_folder(folder);
+    memory_->library.add_shipped_folder(folder);
   }
   void add_definitions(std::span<const std::string> files) override {
-    library_.add_definitions(files);
+    memory_->library.add_definitions(files);
   }
 
   const source::SourceFile& text(const std::string& path) override {
-    const sinumerik::ProgramFile* const file = library_.file(path);
+    const sinumerik::ProgramFile* const file = memory_->library.file(path);
     G31_EXPECTS(file != nullptr);
     return file->text();
   }
 
   std::vector<Flow> flows(const std::string& path) override {
-    (void)library_.definitions();  // before anything else is compiled
-    sinumerik::ProgramFile* const file = library_.file(path);
+    (void)memory_->library.definitions();  // before anything else is compiled
+    sinumerik::ProgramFile* const file = memory_->library.file(path);
     G31_EXPECTS(file != nullptr);
     std::vector<Flow> all;
     for (const auto& program : file->programs()) {
-      const sinumerik::CompiledProgram& code = program->code(library_.globals());
+      const sinumerik::CompiledProgram& code = program->code(memory_->library.globals());
       note_calls(code);
       all.push_back(flow_of(code));
     }
@@ -56,7 +64,7 @@ class SinumerikPrograms final : public ProgramSet {
 
   std::vector<Flow> definitions() override {
     std::vector<Flow> all;
-    for (const sinumerik::CompiledProgram* const code : library_.definitions()) {
+    for (const sinumerik::CompiledProgram* const code : memory_->library.definitions()) {
       all.push_back(flow_of(*code));
     }
     return all;
@@ -74,8 +82,16 @@ class SinumerikPrograms final : public ProgramSet {
   void note_calls(const Program& program);
   std::vector<const Program*> meant_by(const std::string& target, const Program& caller);
 
-  sinumerik::ProgramLibrary library_;
-  sinumerik::CallablePrograms callable_;
+  struct Memory {
+    explicit Memory(source::SourceMap& sources) : library(sources), callable(library) {}
+    sinumerik::ProgramLibrary library;
+    sinumerik::CallablePrograms callable;
+  };
+
+  source::SourceMap& sources_;
+  sinumerik::SheetData data_;
+  std::map<std::string, char> axis_names_;
+  std::optional<Memory> memory_;  ///< there is always one
   std::map<std::pair<const source::SourceFile*, std::uint32_t>, Site> sites_;  ///< by their places
 };
 
@@ -154,14 +170,14 @@ void SinumerikPrograms::note_calls(const Program& program) {
 /// run and on CALLPATH.
 std::vector<const sinumerik::CompiledProgram*> SinumerikPrograms::meant_by(
     const std::string& target, const Program& caller) {
-  const Program* const found = callable_.find(target, {caller.folder, ""});
+  const Program* const found = memory_->callable.find(target, {caller.folder, ""});
   if (found == nullptr) {
     return {};
   }
   std::vector all = {found};
-  for (sinumerik::FiledProgram* const other : library_.opened(found->name)) {
+  for (sinumerik::FiledProgram* const other : memory_->library.opened(found->name)) {
     if (is_callable(other->name())) {
-      all.push_back(&other->code(library_.globals()));
+      all.push_back(&other->code(memory_->library.globals()));
     }
   }
   return all;
@@ -195,7 +211,8 @@ std::optional<Fault> SinumerikPrograms::wrong_arguments(const Flow& caller, cons
 std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, const Call& call) {
   using sinumerik::AlarmId;
   // Where the caller and CALLPATH point decides between programs, not whether there is one.
-  if (call.target.empty() || caller.writes_files || callable_.find(call.target, {}) != nullptr) {
+  if (call.target.empty() || caller.writes_files ||
+      memory_->callable.find(call.target, {}) != nullptr) {
     return std::nullopt;
   }
   if (const auto* const cycle = sinumerik::find_unsimulated_cycle(call.target);

@@ -5,6 +5,9 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "interpreter/analysis/program_set.h"
@@ -41,10 +44,12 @@ struct Group {
   Control control;
   std::string folder;
   std::vector<std::string> files;
+  std::vector<std::string> named;  ///< of them those that are named themselves
 };
 
 std::vector<Group> groups_of(const Request& request, source::FileSystem& files) {
   std::vector<Group> groups;
+  const std::set<std::string_view> named(request.paths.named.begin(), request.paths.named.end());
   std::map<std::pair<std::string, std::string>, std::size_t> known;
   for (const std::string& path : request.paths.files) {
     const Control control = request.control ? *request.control : control_of(path, files);
@@ -52,12 +57,24 @@ std::vector<Group> groups_of(const Request& request, source::FileSystem& files) 
     const auto [place, is_new] =
         known.try_emplace({std::string(session::name_of(control)), folder}, groups.size());
     if (is_new) {
-      groups.push_back({control, folder, {}});
+      groups.push_back({control, folder, {}, {}});
     }
     groups[place->second].files.push_back(path);
+    if (named.contains(path)) {
+      groups[place->second].named.push_back(path);
+    }
   }
   return groups;
 }
+
+/// Whether a group may call what another one holds, as far as the control goes.
+bool is_beside(const Group& group, const Group& other) {
+  return other.folder != group.folder &&
+         session::name_of(other.control) == session::name_of(group.control);
+}
+
+/// Files or folders by how many folders they have in common with a group, the nearest first.
+using ByNearness = std::map<std::ptrdiff_t, std::vector<std::string>, std::greater<>>;
 
 /// How many folders two paths have in common from the start.
 std::ptrdiff_t common_folders(const std::string& a, const std::string& b) {
@@ -85,19 +102,14 @@ bool are_of_one_tree(const std::string& a, const std::string& b, const ProgramPa
 }
 
 /// The other folders of the control in which a group may look for what it calls, the nearest first.
-std::vector<std::string> folders_around(const Group& group, const std::vector<Group>& groups,
-                                        const ProgramPaths& paths) {
-  std::vector<std::string> around;
+ByNearness folders_around(const Group& group, const std::vector<Group>& groups,
+                          const ProgramPaths& paths) {
+  ByNearness around;
   for (const Group& other : groups) {
-    if (other.folder != group.folder &&
-        session::name_of(other.control) == session::name_of(group.control) &&
-        are_of_one_tree(group.folder, other.folder, paths)) {
-      around.push_back(other.folder);
+    if (is_beside(group, other) && are_of_one_tree(group.folder, other.folder, paths)) {
+      around[common_folders(group.folder, other.folder)].push_back(other.folder);
     }
   }
-  std::ranges::stable_sort(around, std::ranges::greater(), [&](const std::string& folder) {
-    return common_folders(group.folder, folder);
-  });
   return around;
 }
 
@@ -105,10 +117,9 @@ std::vector<std::string> folders_around(const Group& group, const std::vector<Gr
 /// those that lie nearest come first.
 void add_definitions(analysis::ProgramSet& programs, const Group& group,
                      const std::vector<Group>& groups) {
-  std::map<std::ptrdiff_t, std::vector<std::string>, std::greater<>> by_nearness;
+  ByNearness by_nearness;
   for (const Group& other : groups) {
-    if (other.folder != group.folder &&
-        session::name_of(other.control) == session::name_of(group.control)) {
+    if (is_beside(group, other)) {
       std::ranges::copy_if(
           other.files, std::back_inserter(by_nearness[common_folders(group.folder, other.folder)]),
           is_definition_file);
@@ -123,11 +134,8 @@ void add_definitions(analysis::ProgramSet& programs, const Group& group,
 void add_callable(analysis::ProgramSet& programs, const Group& group,
                   const std::vector<Group>& groups, const Request& request) {
   for (const Group& other : groups) {
-    const bool is_callable = other.folder != group.folder &&
-                             session::name_of(other.control) == session::name_of(group.control);
-    for (const std::string& path : other.files) {
-      if (is_callable &&
-          std::ranges::find(request.paths.named, path) != request.paths.named.end()) {
+    if (is_beside(group, other)) {
+      for (const std::string& path : other.named) {
         (void)programs.add_file(path);  // unreadable ones are told with their own group
       }
     }
@@ -137,8 +145,8 @@ void add_callable(analysis::ProgramSet& programs, const Group& group,
     programs.add_folder(folder);
   }
   add_definitions(programs, group, groups);
-  for (const std::string& folder : folders_around(group, groups, request.paths)) {
-    programs.add_folder(folder);
+  for (const auto& [common, folders] : folders_around(group, groups, request.paths)) {
+    std::ranges::for_each(folders, [&](const std::string& folder) { programs.add_folder(folder); });
   }
   if (const std::string shipped = shipped_for(group.control); !shipped.empty()) {
     programs.add_shipped_folder(shipped);
@@ -161,8 +169,13 @@ Findings check(const Request& request, source::SourceMap& sources) {
   std::map<std::string, std::vector<analysis::Finding>> by_file;
   std::map<std::string, std::vector<analysis::Finding>> definitions;  ///< of files beside those
   const std::vector<Group> groups = groups_of(request, sources.files());
+  std::map<std::string, std::unique_ptr<analysis::ProgramSet>> by_control;
   for (const Group& group : groups) {
-    auto programs = session::analysed_programs(group.control, sources, request.setup);
+    auto& programs = by_control[std::string(session::name_of(group.control))];
+    if (programs == nullptr) {
+      programs = session::analysed_programs(group.control, sources, request.setup);
+    }
+    programs->start_over();
     std::vector<std::string> readable;
     for (const std::string& path : group.files) {
       const bool is_readable = programs->add_file(path);

@@ -56,13 +56,13 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   if (const auto known = loaded_.find(path); known != loaded_.end()) {
     return known->second.get();
   }
-  auto text = files_.read(path);
+  auto text = files_->read(path);
   if (!text || text->size() >= std::numeric_limits<std::uint32_t>::max()) {
     return nullptr;
   }
   auto file = std::make_unique<File>();
   file->path = path;
-  file->source = &sources_.whole(path, as_read(*std::move(text)));
+  file->source = &sources_->whole(path, as_read(*std::move(text)));
   read_tree(*file);
   return loaded_.emplace(path, std::move(file)).first->second.get();
 }
@@ -78,10 +78,10 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
   const bool is_main = main_path_.empty();
   if (is_main) {
     main_path_ = path;
-    main_bytes_ = files_.size(path).value_or(0);
+    main_bytes_ = files_->size(path).value_or(0);
     if (main_bytes_ > kWholeFileBytes &&
-        !is_tape_code(files_.read_part(path, 0, kLook).value_or(""))) {
-      windows_ = std::make_unique<ProgramWindows>(sources_, path, main_bytes_);
+        !is_tape_code(files_->read_part(path, 0, kLook).value_or(""))) {
+      windows_ = std::make_unique<ProgramWindows>(*sources_, path, main_bytes_);
       return Added::Yes;
     }
   }
@@ -98,10 +98,17 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
   return Added::Yes;
 }
 
+void ProgramLibrary::start_over() {
+  ProgramLibrary fresh(*sources_);
+  fresh.profile_ = profile_;
+  fresh.loaded_ = std::move(loaded_);
+  *this = std::move(fresh);
+}
+
 void ProgramLibrary::add_folder(const std::string& folder) {
   Folder added;
   added.path = folder;
-  for (const std::string& name : files_.list(folder)) {
+  for (const std::string& name : files_->list(folder)) {
     if (const auto number = number_in_file_name(name)) {
       added.by_name.emplace(*number, name);
     } else {
@@ -224,7 +231,7 @@ const CompiledProgram* ProgramLibrary::find_in(File& file, const ProgramKey& key
   }
   const CompiledProgram* const found = compiled(file, first->second);
   if (const auto second = std::next(first); second != end) {
-    const auto other = sources_.show(file.source->at(programs[second->second].name.widened()));
+    const auto other = sources_->show(file.source->at(programs[second->second].name.widened()));
     report_twice(*found, programs[first->second].name, fmt::format("that of line {}", other.line));
   }
   return found;
@@ -278,8 +285,8 @@ bool ProgramLibrary::has_program(UnnamedFile& file, const std::string& path,
   if (file.heads && !file.heads->may_have(key)) {
     return false;
   }
-  const auto bytes = files_.size(path);
-  auto text = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
+  const auto bytes = files_->size(path);
+  auto text = bytes ? files_->read_part(path, 0, *bytes) : std::nullopt;
   if (!text) {
     return true;  // whether it can be read whole is seen when it is loaded
   }
@@ -296,7 +303,8 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(Folder& folder, const Pro
   const CompiledProgram* found = nullptr;
   for (UnnamedFile& unnamed : folder.unnamed) {
     const std::string path = joined(folder.path, unnamed.name);
-    const bool is_too_long = found != nullptr && files_.size(path).value_or(0) > kLongestSubprogram;
+    const bool is_too_long =
+        found != nullptr && files_->size(path).value_or(0) > kLongestSubprogram;
     File* const file = !is_too_long && has_program(unnamed, path, key) ? load(path) : nullptr;
     if (file == nullptr || !file->places.contains(key)) {
       continue;
@@ -312,7 +320,7 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(Folder& folder, const Pro
 
 const std::vector<ProgramBeginning>& ProgramLibrary::main_beginnings() {
   if (!main_beginnings_) {
-    main_beginnings_ = program_beginnings(files_, main_path_, main_bytes_);
+    main_beginnings_ = program_beginnings(*files_, main_path_, main_bytes_);
   }
   return *main_beginnings_;
 }
@@ -329,13 +337,13 @@ const CompiledProgram* ProgramLibrary::find_alone(const ProgramKey& key) {
   const std::uint64_t end = here + 1 == all.end() ? main_bytes_ : (here + 1)->offset;
   const std::uint64_t length = end - here->offset;
   auto text = length < std::numeric_limits<std::uint32_t>::max()
-                  ? files_.read_part(main_path_, here->offset, length)
+                  ? files_->read_part(main_path_, here->offset, length)
                   : std::nullopt;
   if (!text) {
     return nullptr;
   }
   auto alone = std::make_unique<Alone>(
-      Alone{sources_.window(main_path_, here->offset, here->line, *std::move(text)), {}});
+      Alone{sources_->window(main_path_, here->offset, here->line, *std::move(text)), {}});
   alone->file.source = &alone->text;
   read_tree(alone->file);
   const auto& programs = alone->file.tree.programs;

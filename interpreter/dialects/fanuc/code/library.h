@@ -29,7 +29,7 @@ class ProgramLibrary {
  public:
   /// @param sources  must outlive the library
   explicit ProgramLibrary(source::SourceMap& sources)
-      : sources_(sources), files_(sources.files()) {}
+      : sources_(&sources), files_(&sources.files()) {}
 
   /// Programs are compiled for this control; to be called before any is asked for.
   void compile_for(const Profile& profile) { profile_ = &profile; }
@@ -38,6 +38,8 @@ class ProgramLibrary {
 
   /// Makes the programs of a file callable.
   Added add_file(const std::string& path);
+  /// Files and folders are added anew from here on; what was read of them is kept.
+  void start_over();
 
   /// Programs of this folder become callable.  A file is taken for O1234 when the digits of its
   /// name say so (O1234.nc, 1234, o01234.txt); failing that, when its text begins with O1234.  One
@@ -120,8 +122,8 @@ class ProgramLibrary {
   const CompiledProgram* load_from(Folder& folder, const std::string& name, int number);
   void report_twice(const CompiledProgram& taken, syntax::ShortSpan name, const std::string& other);
 
-  source::SourceMap& sources_;
-  source::FileSystem& files_;
+  source::SourceMap* sources_;
+  source::FileSystem* files_;
   const Profile* profile_ = &profiles().front();
   std::unordered_map<std::string, std::unique_ptr<File>> loaded_;  ///< by path
   std::vector<Folder> folders_;
