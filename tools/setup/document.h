@@ -44,8 +44,8 @@ struct Member {
 struct Document {
   std::string path;       ///< as it was named
   std::size_t order = 0;  ///< the how-manieth file of the job
-  std::string text;
-  Table root;
+  std::string text = {};
+  Table root = {};
   source::LineStarts lines{{}};  ///< of the text
 
   /// The text of a line without its line break; "" when there is no such line.
