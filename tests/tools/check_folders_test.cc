@@ -44,6 +44,21 @@ TEST_F(CheckedTree, ProgramsCallThoseOfTheOtherFolders) {
   EXPECT_EQ(check({"shop/main", "shop/macros/probe/O9100.nc"}).exit_code, 0);
 }
 
+// Files are read once for all folders; what one of them may call and how it is read is not kept.
+TEST_F(CheckedTree, WhatAFolderHoldsSaysNothingOfTheNextOne) {
+  write("a/modal.nc", "O1\nG66.1 P9000\nG67\nM30\nO9000\nM99\n");
+  write("b/plain.nc", "O2\nT-5\nM98 P9000\nM30\n");
+  for (const std::vector<std::string>& named :
+       {std::vector<std::string>{"a", "b"}, std::vector<std::string>{"b", "a"}}) {
+    const auto output = check(named);
+    EXPECT_NE(output.out.find("plain.nc:2:1: error: alarm 6"), std::string::npos) << output.out;
+    EXPECT_NE(output.out.find("[NC005]"), std::string::npos) << output.out;
+    EXPECT_EQ(output.out.find("modal.nc"), std::string::npos) << output.out;
+  }
+  // Named themselves they are of one machine.
+  EXPECT_EQ(check({"a/modal.nc", "b/plain.nc"}).out, "");
+}
+
 TEST_F(CheckedTree, TheNearestProgramIsTheOneThatIsMeant) {
   for (const std::string machine : {"a", "b"}) {
     write(machine + "/MPF.DIR/M.MPF", "UP1(1)\nM30\n");
