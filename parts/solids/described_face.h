@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <BRepClass3d_SolidClassifier.hxx>
+#include <Bnd_Box.hxx>
 #include <IntTools_Context.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -25,7 +26,13 @@ class FaceDescriber {
  private:
   [[nodiscard]] bool is_on_product(const Point& p_P) const;
 
+  struct ProductFace {
+    TopoDS_Face face;
+    Bnd_Box box;
+  };
+
   std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> solids_;
+  std::vector<ProductFace> faces_;  ///< of the product
   Handle(IntTools_Context) context_;
 };
 
