@@ -95,6 +95,30 @@ TEST(StudyVary, APartOnTheMachineDoesNot) {
 }
 
 // The second probe, 100 mm beside the first, touches a block whose face X+ is at 142.
+// Numbers beside the varied one are those of the sheet, or the documented ones.
+TEST(StudyVary, OneNumberOfAListThatTheSheetHasNot) {
+  expect_near(readings(kTouch,
+                       std::string(kHead) + "[[part]]\nname = \"b\"\nshape = \"block\"\n"
+                                            "height = 40.0\non = \"G54\"\n",
+                       "#501", "key = \"part.b.at.X\"\nvalues = [0.0, 0.5]\n"),
+              {33.0, 33.5});
+  const TemporaryFolder folder;
+  folder.write("p.nc", "O1\nM30\n");
+  folder.write("sheet.toml", kHead);
+  for (const std::string& key :
+       {std::string("probe.at.X"), std::string("believed.axes.A.centre.Y")}) {
+    cli::StudyOptions options;
+    options.study =
+        folder.write("study.toml",
+                     "[study]\nprogram = \"p.nc\"\nsetup = \"sheet.toml\"\n[results.r]\nvalue = "
+                     "\"#101\"\n[[vary]]\nkey = \"" +
+                         key + "\"\nvalues = [0.0, 0.5]\n");
+    const StudyOutput output = study_document(options);
+    EXPECT_EQ(output.exit_code, 2) << key << output.errors;
+    EXPECT_NE(output.errors.find("whose other numbers stay"), std::string::npos) << output.errors;
+  }
+}
+
 TEST(StudyVary, TheBallOfTheSecondProbe) {
   const std::string sheet = std::string(kHead) +
                             "[probe.second]\nat = [100.0, 0.0, 0.0]\nball_diameter = 6.0\n"

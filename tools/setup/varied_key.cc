@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <vector>
 
@@ -117,18 +118,64 @@ std::optional<std::string> why_no_size(const SheetTable& part, const VariedKey& 
              : fmt::format("shape {} has no size {}{}", shape, key.key, advice(key.key, sizes));
 }
 
-void put(SheetTable& table, const VariedKey& key, const Entry& entry) {
+/// The numbers that a key has where a sheet does not give it; nullopt: other keys decide.
+std::optional<std::vector<double>> default_list(const KeyRow& row) {
+  std::string_view rest = row.default_text;
+  if (!rest.starts_with('[') || !rest.ends_with(']')) {
+    return std::nullopt;
+  }
+  std::vector<double> list;
+  while (rest != "]") {
+    rest.remove_prefix(rest.find_first_not_of("[, "));
+    double number = 0.0;
+    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (end.ec != std::errc()) {
+      return std::nullopt;
+    }
+    list.push_back(number);
+    rest.remove_prefix(static_cast<std::size_t>(end.ptr - rest.data()));
+  }
+  return list;
+}
+
+/// The list of a key with one of its numbers changed; else why there is none.
+Result<std::vector<double>, std::string> with_component(const SheetTable& table,
+                                                        const VariedKey& key, double number) {
+  const auto old = table.entries.find(key.key);
+  const auto given = old != table.entries.end()
+                         ? std::optional(std::get<std::vector<double>>(old->second.value))
+                         : default_list(*key.row);
+  if (!given) {
+    return fmt::format("the sheet has no {0} ({1}): write {0} into it, whose other numbers stay",
+                       key.key, key.row->default_text);
+  }
+  std::vector<double> list = *given;
+  list.at(*key.component) = number;
+  Node node;
+  node.value = Array();
+  for (const double each : list) {
+    std::get<Array>(node.value).push_back({1, 1, each});
+  }
+  const auto checked = checked_value(node, key.row->type, key.row->limit, key.row->unit);
+  if (!checked) {
+    return fmt::format("{} is {}, it should be {}", key.key, checked.error().is,
+                       checked.error().should_be);
+  }
+  return list;
+}
+
+/// @returns why it cannot
+std::optional<std::string> put(SheetTable& table, const VariedKey& key, const Entry& entry) {
   if (!key.component) {
     table.entries.insert_or_assign(key.key, entry);
-    return;
+    return std::nullopt;
   }
-  const std::size_t count = key.row->type == ValueType::TwoNumbers ? 2 : 3;
-  const auto old = table.entries.find(key.key);
-  std::vector<double> list = old != table.entries.end()
-                                 ? std::get<std::vector<double>>(old->second.value)
-                                 : std::vector<double>(count, 0.0);
-  list.at(*key.component) = number_of(entry);
-  table.entries.insert_or_assign(key.key, Entry{list, entry.where});
+  const auto list = with_component(table, key, number_of(entry));
+  if (!list) {
+    return list.error();
+  }
+  table.entries.insert_or_assign(key.key, Entry{list.value(), entry.where});
+  return std::nullopt;
 }
 
 }  // namespace
@@ -200,8 +247,7 @@ std::optional<std::string> lay_value(Sheet& sheet, const VariedKey& key, const E
     if (table.where.document == nullptr) {  // the sheet has none
       table.where = entry.where;
     }
-    put(table, key, entry);
-    return std::nullopt;
+    return put(table, key, entry);
   }
   std::vector<SheetTable>& list = sheet.lists[key.section];
   std::vector<std::string> names;
@@ -219,8 +265,7 @@ std::optional<std::string> lay_value(Sheet& sheet, const VariedKey& key, const E
       return wrong;
     }
   }
-  put(*part, key, entry);
-  return std::nullopt;
+  return put(*part, key, entry);
 }
 
 }  // namespace g31::setup
