@@ -21,6 +21,8 @@ class TraceSink {
   virtual ~TraceSink() = default;
 
   virtual void on_sample(const TraceSample& sample) = 0;
+  /// One more, of where all motion has ended: of a run that is over, so nothing may be thrown.
+  virtual void on_end(const TraceSample& sample) { on_sample(sample); }
 };
 
 }  // namespace g31::machine

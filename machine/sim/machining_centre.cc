@@ -278,6 +278,12 @@ void MachiningCentre::trace(double period_s, TraceSink& sink) {
   sampler_.emplace(period_s, sink);
 }
 
+void MachiningCentre::end_trace() {
+  if (sampler_) {
+    sampler_->end();
+  }
+}
+
 MachineFault MachiningCentre::soft_limit_fault(const AxisPositions& q_M_end) const {
   const FaultKind kind =
       limits_.is_without_axis(q_M_end) ? FaultKind::NoAxis : FaultKind::SoftLimit;

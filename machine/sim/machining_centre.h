@@ -89,6 +89,8 @@ class MachiningCentre final : public MachinePort {
 
   /// Takes samples of all motion from now on.  @param sink  outlives this
   void trace(double period_s, TraceSink& sink);
+  /// Takes a last sample, of where all motion has ended.
+  void end_trace();
 
  private:
   static void expect_legal(const LinearMove& move);

@@ -19,11 +19,10 @@ void MotionSampler::show(const ExecutedMotion& motion, const AxisPositions& reso
     steps = motion.servo.steps_until(motion.duration_s);
   }
   std::size_t step = 0;
-  while (static_cast<double>(next_) * period_s_ <= end_s) {
-    motion.servo.look();
+  const auto sample_at = [&](double time_s) {
     TraceSample sample;
-    sample.time_s = static_cast<double>(next_) * period_s_;
-    const double after_s = std::max(0.0, sample.time_s - motion.start_s);
+    sample.time_s = time_s;
+    const double after_s = std::max(0.0, time_s - motion.start_s);
     for (; step < steps.size() && steps[step] <= after_s; ++step) {
       truth.go_to(motion.servo.encoder_at(steps[step]));
     }
@@ -31,8 +30,25 @@ void MotionSampler::show(const ExecutedMotion& motion, const AxisPositions& reso
     sample.q_M_commanded = motion.servo.commanded_at(after_s);
     sample.q_M_encoder = in_steps(q_M_encoder, resolution);
     sample.q_M_true = truth.after(q_M_encoder);
-    sink_.on_sample(sample);
-    ++next_;
+    return sample;
+  };
+  last_.reset();
+  double last_s = static_cast<double>(next_) * period_s_ - period_s_;
+  for (; static_cast<double>(next_) * period_s_ <= end_s; ++next_) {
+    motion.servo.look();
+    last_s = static_cast<double>(next_) * period_s_;
+    sink_.on_sample(sample_at(last_s));
+  }
+  constexpr double kLeastGapS = 1e-6;  // the rounding of positions would be speeds in less
+  if (end_s - last_s > kLeastGapS) {
+    last_ = sample_at(end_s);
+  }
+}
+
+void MotionSampler::end() {
+  if (last_) {
+    sink_.on_end(*last_);
+    last_.reset();
   }
 }
 

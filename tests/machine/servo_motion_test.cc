@@ -229,6 +229,14 @@ TEST(MotionSampler, TakesWholeMultiplesOfThePeriodThroughAllMotions) {
   ASSERT_TRUE(centre.move(feed(axes(10, 10, 0), 3000.0)).ok());
   ASSERT_EQ(samples.list.size(),
             static_cast<std::size_t>(std::floor(centre.time_s() / period_s)) + 1U);
+  centre.end_trace();
+  centre.end_trace();
+  EXPECT_EQ(samples.list.back().time_s, centre.time_s());
+  EXPECT_EQ(samples.list.back().q_M_true, centre.position());
+  samples.list.pop_back();
+  ASSERT_EQ(samples.list.size(),
+            static_cast<std::size_t>(std::floor(centre.time_s() / period_s)) + 1U)
+      << "there is one end";
   const double ramp_s = 50.0 / 2000.0;
   for (std::size_t i = 0; i < samples.list.size(); ++i) {
     const TraceSample& sample = samples.list[i];

@@ -191,11 +191,14 @@ EXX = [[0.0, 0.0], [100.0, 0.1]]
             "time_s,X_commanded,Y_commanded,Z_commanded,X_encoder,Y_encoder,Z_encoder,"
             "X_true,Y_true,Z_true");
   const double seconds = output.document["machine_time_s"];
-  ASSERT_EQ(rows.size(), static_cast<std::size_t>(seconds / 182.32e-6) + 1U);
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(seconds / 182.32e-6) + 2U);
+  EXPECT_NEAR(rows.back()[0], seconds, 1e-9) << "where motion has ended";
   double nearest_to_corner = 1e9;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ASSERT_EQ(rows[i].size(), 10U);
-    ASSERT_NEAR(rows[i][0], static_cast<double>(i) * 182.32e-6, 1e-11);
+    if (i + 1 < rows.size()) {
+      ASSERT_NEAR(rows[i][0], static_cast<double>(i) * 182.32e-6, 1e-11);
+    }
     const double steps = rows[i][4] / 0.001;
     ASSERT_NEAR(steps, std::round(steps), 1e-3) << "whole steps of the encoder";
     ASSERT_NEAR(rows[i][7], rows[i][4] * 1.001, 0.6e-3) << "the scale errs by 0.1 %";

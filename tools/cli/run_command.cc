@@ -5,7 +5,9 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -99,6 +101,7 @@ session::Heard carried_out(const OpenedRun& opened, Desk& desk, ResultWatch& wat
   session::Heard heard = session::heard(
       session::with_findings(opened.world.findings, opened.run.session().run(budget, listener)),
       comments, opened.options.programs.front(), opened.options.allowed, opened.sources);
+  opened.machine.end_trace();
   desk.give_way();
   if (opened.chronicle != nullptr) {
     opened.chronicle->finish();
@@ -190,9 +193,10 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
       opened.expectations, [&](const std::string& name) { return value_of(opened, name); },
       opened.chronicle);
   const session::Heard heard = carried_out(opened, outputs.desk, watch);
-  // Which programs are called shows while it runs.
-  if (const auto refused =
-          refused_places(opened.options, opened.disk.paths(), RunStage::HasEnded)) {
+  // Which programs are called and which files are written shows while it runs.
+  std::vector<std::string> used = opened.disk.paths();
+  std::ranges::move(opened.run.kept_files(), std::back_inserter(used));
+  if (const auto refused = refused_places(opened.options, used, RunStage::HasEnded)) {
     return *refused;
   }
   report::RunResult result = result_of(opened, heard);

@@ -157,7 +157,7 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   add_fail_on_option(*run, options.fail_on,
                      "the least message that makes a completed run exit with 1: error, warning "
                      "(default) or note");
-  run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
+  run->add_option("--trace", options.trace, "axis positions over time and at the end, a CSV table")
       ->type_name("FILE")
       ->check(why_no_place);
   run->add_option("--trace-period", options.trace_period,

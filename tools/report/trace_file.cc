@@ -30,15 +30,27 @@ TraceFile::TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> fi
     : path_(path), file_(std::move(file)), axes_(axes), budget_(budget) {}
 
 void TraceFile::on_sample(const machine::TraceSample& sample) {
+  set_line(sample);
+  if (budget_.charge(runtime::Output::Trace, line_.size())) {
+    file_->write(line_);
+  }
+}
+
+/// One row, whatever the others have left of the budget; none where they were cut off.
+void TraceFile::on_end(const machine::TraceSample& sample) {
+  if (!budget_.is_spent()) {
+    set_line(sample);
+    file_->write(line_);
+  }
+}
+
+void TraceFile::set_line(const machine::TraceSample& sample) {
   line_.clear();
   line_ += fmt::format("{:.12g}", sample.time_s);
   append(line_, sample.q_M_commanded);
   append(line_, sample.q_M_encoder);
   append(line_, sample.q_M_true);
   line_ += '\n';
-  if (budget_.charge(runtime::Output::Trace, line_.size())) {
-    file_->write(line_);
-  }
 }
 
 void TraceFile::append(std::string& line, const AxisPositions& q) const {

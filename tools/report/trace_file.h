@@ -27,6 +27,7 @@ class TraceFile final : public machine::TraceSink {
                                                                 const AxesPresent& axes,
                                                                 runtime::OutputBudget& budget);
   void on_sample(const machine::TraceSample& sample) override;
+  void on_end(const machine::TraceSample& sample) override;
 
   /// Gives the file its name.  @returns why it is not whole; nullopt: it is
   std::optional<std::string> finish();
@@ -35,6 +36,7 @@ class TraceFile final : public machine::TraceSink {
   TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> file, const AxesPresent& axes,
             runtime::OutputBudget& budget);
   void append(std::string& line, const AxisPositions& q) const;
+  void set_line(const machine::TraceSample& sample);
 
   std::string path_;
   std::shared_ptr<disk::PartFile> file_;

@@ -60,6 +60,16 @@ ProgramFiles::Changes ProgramFiles::changed(const Contents& now) const {
   return changed;
 }
 
+std::vector<std::string> ProgramFiles::paths(const Contents& now) const {
+  std::vector<std::string> all;
+  if (!folder_.empty()) {
+    for (const auto& [name, content] : changed(now)) {
+      all.push_back((fs::path(folder_) / name).string());
+    }
+  }
+  return all;
+}
+
 std::optional<std::string> ProgramFiles::save(const Contents& now) const {
   if (folder_.empty()) {
     return std::nullopt;

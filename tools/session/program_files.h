@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "machine/base/result.h"
 
@@ -23,6 +24,8 @@ class ProgramFiles {
   [[nodiscard]] const Contents& at_start() const { return at_start_; }
   /// What the program made or changed: texts of `now`.
   [[nodiscard]] Changes changed(const Contents& now) const;
+  /// Where save() writes; none without a folder.
+  [[nodiscard]] std::vector<std::string> paths(const Contents& now) const;
   /// Writes what has changed and removes what the program deleted, in the folder.
   /// @returns why it could not be done
   [[nodiscard]] std::optional<std::string> save(const Contents& now) const;

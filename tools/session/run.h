@@ -47,6 +47,11 @@ class Run {
     return files_.changed(session_->files());
   }
 
+  /// Where keep_state() writes files of the program.
+  [[nodiscard]] std::vector<std::string> kept_files() const {
+    return files_.paths(session_->files());
+  }
+
   /// Saves the program's files in their folder, and what the control keeps over power off in the
   /// variables file, where the job names them.
   [[nodiscard]] std::optional<Refusal> keep_state() const;

@@ -24,9 +24,18 @@ PathRecorder::Column PathRecorder::column_of(const evaluate::Request& request,
 }
 
 void PathRecorder::on_sample(const machine::TraceSample& sample) {
-  if (!budget_.charge(runtime::Output::Trace, 3 * sizeof(double))) {
-    return;
+  if (budget_.charge(runtime::Output::Trace, 3 * sizeof(double))) {
+    add(sample);
   }
+}
+
+void PathRecorder::on_end(const machine::TraceSample& sample) {
+  if (!budget_.is_spent()) {
+    add(sample);
+  }
+}
+
+void PathRecorder::add(const machine::TraceSample& sample) {
   path_.t.push_back(sample.time_s);
   path_.x.push_back((sample.*columns_[0].places)[columns_[0].axis]);
   path_.y.push_back((sample.*columns_[1].places)[columns_[1].axis]);

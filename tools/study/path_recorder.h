@@ -18,6 +18,7 @@ class PathRecorder : public machine::TraceSink {
   PathRecorder(const StudyEvaluation& evaluation, runtime::OutputBudget& budget);
 
   void on_sample(const machine::TraceSample& sample) override;
+  void on_end(const machine::TraceSample& sample) override;
 
   /// What the path says; nothing, and why, where it cannot be evaluated.
   [[nodiscard]] Result<evaluate::Evaluation, std::string> evaluated() const;
@@ -29,6 +30,7 @@ class PathRecorder : public machine::TraceSink {
     AxisPositions machine::TraceSample::*places = &machine::TraceSample::q_M_true;
   };
   [[nodiscard]] static Column column_of(const evaluate::Request& request, const std::string& axis);
+  void add(const machine::TraceSample& sample);
 
   const StudyEvaluation& evaluation_;
   runtime::OutputBudget& budget_;

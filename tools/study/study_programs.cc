@@ -162,6 +162,7 @@ EndedProgram StudyPrograms::carry_out(const setup::Job& job, const StudyParts& p
   }
   runtime::Outcome outcome =
       control->run({study_.max_blocks, study_.max_time_s, &output, study_.interruption});
+  machine.end_trace();
   EndedProgram ended;
   ended.status = session::status_name(outcome);
   const source::SourceMap& sources = programs_[program]->sources();
