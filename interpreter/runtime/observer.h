@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interpreter/runtime/alarm.h"
+#include "interpreter/source/latin_1.h"
 #include "interpreter/source/location.h"
 #include "machine/port/machine_port.h"
 
@@ -81,8 +82,8 @@ struct RecordedEvent {
 /// Text that leaves the program.
 struct OutputEvent {
   std::string_view text;
-  source::Location where;  ///< the block that writes it
-  bool is_text = false;    ///< source::text_as_utf8() says what is meant; else it is bytes
+  source::Location where;                     ///< the block that writes it
+  source::AsUtf8 as_utf8 = &source::as_utf8;  ///< what brings it to people
 };
 
 /// Hears what a running program does, in order.  Whoever runs the program decides what becomes of

@@ -18,7 +18,7 @@ std::string as_utf8(std::string_view bytes);
 /// so it is with alphabets from Hebrew to N'Ko.
 std::string text_as_utf8(std::string_view bytes);
 
-/// One of the two.
+/// One of the two, or readable_text().
 using AsUtf8 = std::string (*)(std::string_view bytes);
 
 }  // namespace g31::source

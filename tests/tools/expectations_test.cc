@@ -58,7 +58,7 @@ TEST(Expectations, OfASheetHoldOrFailEachWithItsPlace) {
       {"output_file = \"out.txt\"", ""},
       {"output_file = \"other.txt\"",
        "output_file: expected \"X  20.001\\n\", got \"X  20.000\\n\""},
-      {"output_file = \"none.txt\"", "output_file: expected cannot be read, got \"X  20.000\\n\""},
+      {"output_file = \"none.txt\"", "none.txt, which cannot be read, got \"X  20.000\\n\""},
       {"touches = 1", ""},
       {"touches = 4", "touches: expected 4, got 1"},
       {"findings = 0", ""},

@@ -45,6 +45,21 @@ TEST(OutputBytes, OfMessagesAreLettersForATerminal) {
             "e\nTT = \xC3\x9F\n");
 }
 
+// A device gets the bytes of the program's file; documents have the text, whatever wrote it.
+TEST(OutputBytes, OfDprntAreTextInDocuments) {
+  const testing::TemporaryFolder folder;
+  const std::string text = "Gr\xC3\xB6\xC3\x9F";
+  cli::RunOptions options;
+  options.setups = {folder.write("sheet.toml", "[expect]\noutput = \"" + text + "\\n\"\n")};
+  options.control = "fanuc-16i";
+  for (const std::string& written : {text, std::string("Gr\xF6\xDF")}) {
+    options.programs = {folder.write("main.nc", "O1\nPOPEN\nDPRNT[" + written + "]\nPCLOS\nM30\n")};
+    const auto run = testing::run_program(options);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.document.at("output"), text + "\n");
+  }
+}
+
 // What a page or a picture shows in place of bytes that are no UTF-8 is what documents have there.
 TEST(OutputBytes, ThatAreNoUtf8AreReplacedAlikeInPagesPicturesAndDocuments) {
   const auto in_document = [](const std::string& bytes) {

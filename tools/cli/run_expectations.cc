@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/source/latin_1.h"
+#include "interpreter/source/readable_text.h"
 #include "tools/disk/disk.h"
 #include "tools/setup/name_list.h"
 #include "tools/setup/variable_name.h"
@@ -117,9 +117,9 @@ expect::Actual actual_of(const OpenedRun& opened, const runtime::Outcome& outcom
   actual.file = [](const std::string& path) -> std::optional<std::string> {
     disk::Disk disk;
     const auto text = disk.read(path);
-    return text ? std::optional(source::text_as_utf8(*text)) : std::nullopt;
+    return text ? std::optional(source::readable_text(*text)) : std::nullopt;
   };
-  actual.output = opened.recorder.output_as_utf8()(opened.recorder.output());
+  actual.output = opened.recorder.output();
   actual.touches = opened.recorder.touch_count();
   actual.findings = count_findings(outcome);
   actual.machine_time_s = opened.machine.time_s();

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "interpreter/source/latin_1.h"
 #include "tools/cli/run_page.h"
 
 namespace g31::cli {
@@ -77,12 +76,12 @@ void EchoingRecorder::on_standstill(source::Location /*where*/) {
 void EchoingRecorder::on_output(const runtime::OutputEvent& event) {
   print(event, event.text);
   if (events_ != nullptr) {
-    events_->add_text("output", source::as_utf8(event.text));
+    events_->add_text("output", event.as_utf8(event.text));
   }
 }
 
 void EchoingRecorder::on_message(const runtime::OutputEvent& event) {
-  const std::string text = source::text_as_utf8(event.text);
+  const std::string text = event.as_utf8(event.text);
   print(event, text);
   if (!printouts_.go_to_standard_output()) {
     desk_->message(text);

@@ -140,7 +140,12 @@ struct Judge {
     return {"output_contains", in_quotes(expected.text), in_quotes(actual.output), holds, {}};
   }
   Judged operator()(const OutputFile& expected) const {
-    return of_text("output_file", actual.file(expected.path), actual.output);
+    Judged judged = of_text("output_file", actual.file(expected.path), actual.output);
+    if (judged.expected == kNothing) {
+      judged.expected = fmt::format("{}, which cannot be read", expected.path);
+      judged.remedy = "correct the name of the file, or make it";
+    }
+    return judged;
   }
   Judged operator()(const Touches& expected) const {
     return of_count("touches", expected.count, actual.touches);

@@ -116,7 +116,7 @@ std::vector<VariableRow> variables_of(const RunPage& run, const Writers& writers
 std::vector<Printout> printouts_of(const RunPage& run, const FileNames& names) {
   std::vector<Printout> rows;
   if (!run.recorder.output().empty()) {
-    rows.push_back({"", source::readable_text(run.recorder.output()), {}});
+    rows.push_back({"", run.recorder.output(), {}});
   }
   for (const runtime::StopEvent& stop : run.recorder.stops()) {
     rows.push_back(

@@ -45,7 +45,7 @@ void ObjectWriter::write(const Json& value, int depth) {
   }
 }
 
-void ObjectWriter::write_latin_1(std::string_view text, source::AsUtf8 as_utf8) {
+void ObjectWriter::write_text(std::string_view text, source::AsUtf8 as_utf8) {
   constexpr std::size_t kPiece = 65536;
   sink_("\"");
   while (!text.empty()) {
@@ -60,10 +60,9 @@ void ObjectWriter::write_latin_1(std::string_view text, source::AsUtf8 as_utf8) 
   sink_("\"");
 }
 
-void ObjectWriter::add_latin_1(std::string_view name, std::string_view text,
-                               source::AsUtf8 as_utf8) {
+void ObjectWriter::add_text(std::string_view name, std::string_view text) {
   begin_member(name);
-  write_latin_1(text, as_utf8);
+  write_text(text, [](std::string_view piece) { return std::string(piece); });
 }
 
 void ObjectWriter::add_latin_1(std::string_view name,
@@ -74,7 +73,7 @@ void ObjectWriter::add_latin_1(std::string_view name,
     sink_(is_first ? "{\n  " : ",\n  ");
     sink_(dumped(key));
     sink_(": ");
-    write_latin_1(text, &source::text_as_utf8);
+    write_text(text, &source::text_as_utf8);
     is_first = false;
   }
   sink_(is_first ? "{}" : "\n }");

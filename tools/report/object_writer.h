@@ -25,9 +25,9 @@ class ObjectWriter {
 
   void add(std::string_view name, const Json& value);
 
-  /// A string of Latin-1 characters, one byte each.
-  void add_latin_1(std::string_view name, std::string_view text, source::AsUtf8 as_utf8);
-  /// An object of such texts.
+  /// A long string in UTF-8.
+  void add_text(std::string_view name, std::string_view text);
+  /// An object of such strings, each of Latin-1 characters, one byte each.
   void add_latin_1(std::string_view name, const std::map<std::string, std::string_view>& texts);
 
   /// An array.
@@ -50,7 +50,7 @@ class ObjectWriter {
   void begin_member(std::string_view name);
   /// @param depth  of the line that the value begins in
   void write(const Json& value, int depth);
-  void write_latin_1(std::string_view text, source::AsUtf8 as_utf8);
+  void write_text(std::string_view text, source::AsUtf8 as_utf8);
 
   const TextSink& sink_;
   bool is_empty_ = true;

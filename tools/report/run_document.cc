@@ -227,7 +227,7 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   if (result.changes) {
     document.add_list("changes", *result.changes, change_json);
   }
-  document.add_latin_1("output", recorder.output(), recorder.output_as_utf8());
+  document.add_text("output", recorder.output());
   document.add_latin_1("files", result.files);
   add_stops(result, recorder, sources, document);
   add_events(recorder, sources, document);

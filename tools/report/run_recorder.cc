@@ -65,8 +65,7 @@ void RunRecorder::on_event(const runtime::RecordedEvent& event) {
 
 void RunRecorder::on_output(const runtime::OutputEvent& event) {
   if (budget_.charge(Output::Printouts, runtime::size_in_document(event.text))) {
-    output_ += event.text;
-    output_is_text_ = event.is_text;
+    output_ += event.as_utf8(event.text);
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/output_budget.h"
-#include "interpreter/source/latin_1.h"
 #include "machine/port/machine_port.h"
 #include "tools/session/missed_skips.h"
 
@@ -55,11 +54,8 @@ class RunRecorder : public runtime::Observer {
   /// Measuring moves that had their signal.
   [[nodiscard]] std::size_t touch_count() const { return touch_count_; }
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
+  /// In UTF-8.
   [[nodiscard]] const std::string& output() const { return output_; }
-  /// What brings it to people.
-  [[nodiscard]] source::AsUtf8 output_as_utf8() const {
-    return output_is_text_ ? &source::text_as_utf8 : &source::as_utf8;
-  }
   [[nodiscard]] session::MissedSkips& missed_skips() { return missed_skips_; }
   [[nodiscard]] const session::MissedSkips& missed_skips() const { return missed_skips_; }
 
@@ -80,7 +76,6 @@ class RunRecorder : public runtime::Observer {
   std::size_t touch_count_ = 0;
   std::optional<runtime::FaultEvent> fault_;
   std::string output_;
-  bool output_is_text_ = false;
   session::MissedSkips missed_skips_;
 };
 

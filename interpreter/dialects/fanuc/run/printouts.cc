@@ -11,6 +11,8 @@
 #include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/runtime/printer_port.h"
+#include "interpreter/source/latin_1.h"
+#include "interpreter/source/readable_text.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -37,7 +39,8 @@ class Printout {
   }
 
   /// To the printer, if there is one, then to the observer: it hears only what was printed.
-  MaybeFailure deliver(Control& control) const {
+  /// @param as_utf8  what the observer may read it with
+  MaybeFailure deliver(Control& control, source::AsUtf8 as_utf8) const {
     std::string whole;
     if (control.printer != nullptr) {
       control.watch.has_waited();
@@ -50,7 +53,7 @@ class Printout {
       }
       whole += piece.bytes;
     }
-    control.observer.on_output({whole, control.here()});
+    control.observer.on_output({whole, control.here(), as_utf8});
     return std::nullopt;
   }
 
@@ -151,7 +154,7 @@ MaybeFailure print(Control& control, const CallStack& stack, const Step& step) {
   }
   control.use_measured();
   printout.add(control.parameters.is_on(ParameterId::PrintReturns) ? "\n\r" : "\n", characters);
-  return printout.deliver(control);
+  return printout.deliver(control, is_binary ? &source::as_utf8 : &source::readable_text);
 }
 
 }  // namespace g31::fanuc

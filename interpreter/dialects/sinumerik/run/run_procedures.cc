@@ -6,6 +6,7 @@
 #include "interpreter/dialects/sinumerik/run/procedures.h"
 #include "interpreter/dialects/sinumerik/state/kinematic_chain.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/source/latin_1.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -66,7 +67,7 @@ namespace procedure {
 MaybeFailure message(Channel& channel, Operands& at, Arguments list) {
   if (!list.empty()) {
     channel.message = at.text(list[0].value);
-    channel.observer.on_message({channel.message + "\n", channel.here(), true});
+    channel.observer.on_message({channel.message + "\n", channel.here(), &source::text_as_utf8});
   }
   return std::nullopt;
 }
