@@ -19,8 +19,6 @@ using syntax::Index;
 using syntax::ValueForm;
 using syntax::Word;
 
-constexpr std::int32_t kMacroAlarm = 3000;  // #3000
-
 /// In messages.
 std::string shown_name(const fanuc::CompiledProgram& program) {
   return program.key.is_empty() ? std::string("the program") : to_text(program.key);
@@ -29,7 +27,6 @@ std::string shown_name(const fanuc::CompiledProgram& program) {
 class FanucTranslation {
  public:
   using AlarmId = fanuc::AlarmId;
-  using Bank = fanuc::Bank;
   using OpCode = fanuc::OpCode;
   using Step = fanuc::Step;
 
@@ -59,9 +56,7 @@ class FanucTranslation {
   void stop(Fault fault);
   [[nodiscard]] Fault fault_of(AlarmId id, syntax::ShortSpan where,
                                const std::string& detail) const;
-  [[nodiscard]] std::optional<double> constant(fanuc::Operand operand) const;
   [[nodiscard]] std::optional<double> constant_value(Index code) const;
-  [[nodiscard]] std::optional<bool> constant_condition(const Step& step) const;
   [[nodiscard]] const Word* last_word(const syntax::Block& block, char letter) const;
 
   const fanuc::CompiledProgram& program_;
@@ -107,7 +102,7 @@ void FanucTranslation::step(Index index) {
     nc_words(block);
     add_moves(program_, block, profile_, builder_);
   } else if (step.kind == BlockKind::Assign) {
-    stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
+    stops_ = fanuc::is_macro_alarm(step);
   }
   const auto constant = stops_ ? std::nullopt : wrong_constant(program_, step, profile_);
   if (const auto& found = constant || stops_ ? constant : words.wrong) {
@@ -125,19 +120,14 @@ void FanucTranslation::step(Index index) {
   }
 }
 
-/// Where the program goes on: what the step's exits say, without ways that constants shut.
+/// Where the program goes on: what the step's exits say.
 void FanucTranslation::follow(Index index) {
   const Step& step = program_.steps[index];
-  const auto condition = constant_condition(step);
-  const bool jumps = step.kind == BlockKind::Goto || step.kind == BlockKind::IfGoto;
   const fanuc::StepExits exits = fanuc::exits_of(program_, index);
   for (const Index to : exits.steps()) {
     const bool is_next = to == index + 1;
     const bool is_skip = is_next && step.skip_switch != 0;
-    const bool holds = jumps != is_next;  // the condition, on this way
-    const bool is_only_way = step.jump == index + 1;
-    const bool is_shut = stops_ || (condition && !is_only_way && holds != *condition);
-    if (is_shut && !is_skip) {
+    if (stops_ && !is_skip) {
       continue;
     }
     if (to < program_.steps.size()) {
@@ -147,9 +137,10 @@ void FanucTranslation::follow(Index index) {
       builder_.block().leaves.by_running_out = true;
     }
   }
-  if (!exits.any_label || stops_ || condition == false) {
+  if (!exits.any_label || stops_) {
     return;
   }
+  const bool jumps = step.kind == BlockKind::Goto || step.kind == BlockKind::IfGoto;
   const auto sequence = jumps ? constant_value(step.value) : std::nullopt;
   if (sequence) {
     constant_jump(step, index, *sequence);
@@ -175,42 +166,9 @@ void FanucTranslation::constant_jump(const Step& step, Index index, double seque
   stops_ = step.kind == BlockKind::Goto;
 }
 
-std::optional<double> FanucTranslation::constant(fanuc::Operand operand) const {
-  if (operand.bank != Bank::Constants) {
-    return std::nullopt;
-  }
-  const fanuc::Cell cell = program_.constants[static_cast<std::size_t>(operand.place)];
-  return cell.is_vacant() ? std::nullopt : std::optional(cell.raw());
-}
-
 std::optional<double> FanucTranslation::constant_value(Index code) const {
   const fanuc::Op& op = program_.ops[code];
-  return op.code == OpCode::End ? constant(op.a) : std::nullopt;
-}
-
-/// What IF and WHILE find when both sides of their one comparison are numbers.
-std::optional<bool> FanucTranslation::constant_condition(const Step& step) const {
-  const bool asks = step.kind == BlockKind::IfGoto || step.kind == BlockKind::IfThen ||
-                    step.kind == BlockKind::While;
-  if (!asks) {
-    return std::nullopt;
-  }
-  const fanuc::Op& op = program_.ops[step.condition];
-  const auto a = constant(op.a);
-  if (op.code == OpCode::End) {
-    return a ? std::optional(*a != 0.0) : std::nullopt;
-  }
-  const auto b = constant(op.b);
-  if (!a || !b || program_.ops[step.condition + 1].code != OpCode::End) {
-    return std::nullopt;
-  }
-  return op.code == OpCode::Equal          ? std::optional(*a == *b)
-         : op.code == OpCode::NotEqual     ? std::optional(*a != *b)
-         : op.code == OpCode::Greater      ? std::optional(*a > *b)
-         : op.code == OpCode::Less         ? std::optional(*a < *b)
-         : op.code == OpCode::GreaterEqual ? std::optional(*a >= *b)
-         : op.code == OpCode::LessEqual    ? std::optional(*a <= *b)
-                                           : std::nullopt;
+  return op.code == OpCode::End ? fanuc::constant_in(program_, op.a) : std::nullopt;
 }
 
 const Word* FanucTranslation::last_word(const syntax::Block& block, char letter) const {

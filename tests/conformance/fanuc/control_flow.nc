@@ -439,3 +439,24 @@ END1
 M30
 %
 (EXPECT ALARM FORMAT AT 3)
+
+(CASE nonsense behind #3000 is not read: no way leads to it)
+%
+O1
+IF[#100EQ#0]GOTO10
+N8#3000=12(NO TOUCH)
+FOO BAR
+N10#100=1
+M30
+%
+(EXPECT #100 = 1)
+
+(CASE nor behind a condition that always holds)
+%
+O1
+IF[1EQ1]GOTO10
+FOO BAR
+N10#100=1
+M30
+%
+(EXPECT #100 = 1)

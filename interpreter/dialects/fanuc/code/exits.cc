@@ -1,6 +1,7 @@
 #include "interpreter/dialects/fanuc/code/exits.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace g31::fanuc {
 namespace {
@@ -37,7 +38,11 @@ void follow_words(const CompiledProgram& program, Index step, StepExits& exits) 
 }
 
 /// A jump of a window may leave it.
-void follow_unlinked_jump(const CompiledProgram& program, Index step, StepExits& exits) {
+void follow_jump(const CompiledProgram& program, Index step, StepExits& exits) {
+  if (program.steps[step].jump != kNone) {
+    add_exit(exits, program.steps[step].jump);
+    return;
+  }
   const auto target = program.constant_target(program.steps[step]);
   exits.any_label = program.extent == Extent::Whole || !target;
   if (exits.any_label) {
@@ -53,8 +58,48 @@ void follow_unlinked_jump(const CompiledProgram& program, Index step, StepExits&
 
 }  // namespace
 
+bool is_macro_alarm(const Step& step) {
+  constexpr std::int32_t kMacroAlarm = 3000;
+  return step.kind == BlockKind::Assign && step.target_kind == TargetKind::Numbered &&
+         step.number == kMacroAlarm;
+}
+
+std::optional<double> constant_in(const CompiledProgram& program, Operand operand) {
+  if (operand.bank != Bank::Constants) {
+    return std::nullopt;
+  }
+  const Cell cell = program.constants[static_cast<std::size_t>(operand.place)];
+  return cell.is_vacant() ? std::nullopt : std::optional(cell.raw());
+}
+
+/// What IF and WHILE find when both sides of their one comparison are numbers.
+std::optional<bool> constant_condition(const CompiledProgram& program, const Step& step) {
+  const bool asks = step.kind == BlockKind::IfGoto || step.kind == BlockKind::IfThen ||
+                    step.kind == BlockKind::While;
+  if (!asks) {
+    return std::nullopt;
+  }
+  const Op& op = program.ops[step.condition];
+  const auto a = constant_in(program, op.a);
+  if (op.code == OpCode::End) {
+    return a ? std::optional(*a != 0.0) : std::nullopt;
+  }
+  const auto b = constant_in(program, op.b);
+  if (!a || !b || program.ops[step.condition + 1].code != OpCode::End) {
+    return std::nullopt;
+  }
+  return op.code == OpCode::Equal          ? std::optional(*a == *b)
+         : op.code == OpCode::NotEqual     ? std::optional(*a != *b)
+         : op.code == OpCode::Greater      ? std::optional(*a > *b)
+         : op.code == OpCode::Less         ? std::optional(*a < *b)
+         : op.code == OpCode::GreaterEqual ? std::optional(*a >= *b)
+         : op.code == OpCode::LessEqual    ? std::optional(*a <= *b)
+                                           : std::nullopt;
+}
+
 StepExits exits_of(const CompiledProgram& program, Index index) {
   const Step& step = program.steps[index];
+  const auto condition = constant_condition(program, step);
   StepExits exits;
   if (step.skip_switch != 0) {
     add_exit(exits, index + 1);
@@ -62,19 +107,21 @@ StepExits exits_of(const CompiledProgram& program, Index index) {
   switch (step.kind) {
     case BlockKind::Goto:
     case BlockKind::IfGoto:
-      if (step.jump != kNone) {
-        add_exit(exits, step.jump);
-      } else {
-        follow_unlinked_jump(program, index, exits);
+      if (condition != false) {
+        follow_jump(program, index, exits);
       }
-      if (step.kind == BlockKind::IfGoto) {
+      if (step.kind == BlockKind::IfGoto && condition != true) {
         add_exit(exits, index + 1);
       }
       break;
     case BlockKind::IfThen:
     case BlockKind::While:
-      add_exit(exits, step.jump);
-      add_exit(exits, index + 1);
+      if (condition != true) {
+        add_exit(exits, step.jump);
+      }
+      if (condition != false) {
+        add_exit(exits, index + 1);
+      }
       break;
     case BlockKind::End:
       add_exit(exits, step.jump);
@@ -84,8 +131,13 @@ StepExits exits_of(const CompiledProgram& program, Index index) {
       break;
     case BlockKind::Bad:
       break;
-    case BlockKind::Empty:
     case BlockKind::Assign:
+      exits.ends = is_macro_alarm(step);
+      if (!exits.ends) {
+        add_exit(exits, index + 1);
+      }
+      break;
+    case BlockKind::Empty:
     case BlockKind::Do:
     case BlockKind::Output:
     case BlockKind::SetNames:
