@@ -80,8 +80,8 @@ std::optional<std::string> TouchNotes::oblique(const Touch& touch) {
 
 /// The ball reaches r (1 - sin a) into the surface's way: whether it touches at all hangs on that.
 std::optional<std::string> TouchNotes::glancing(const Touch& touch) {
-  const double cosine = std::max(touch.cosine(), 0.0);
-  if (cosine >= kGlancingCosine) {
+  const double cosine = touch.cosine();  // below 0: the ball leaves the surface
+  if (cosine < 0.0 || cosine >= kGlancingCosine) {
     return std::nullopt;
   }
   return fmt::format(": {:.4f} mm further to the side it would miss",

@@ -107,6 +107,17 @@ TEST(TouchNotes, AnotherFeedThanThatOfTheCalibration) {
   EXPECT_NEAR(last_mm(notes.find("PRB317")->second), 0.004 * 250.0 / 60.0, 0.00005);
 }
 
+TEST(TouchNotes, ABallThatLeavesAFaceGrazesNothing) {
+  const std::string sheet =
+      "[control]\nprofile = \"sinumerik-828d\"\n[probe]\nball_diameter = 6.0\nlength = 100.0\n"
+      "[[part]]\nshape = \"block\"\n[start]\nZ = 120.0\n";
+  const RunOutput run = run_on(sheet, "falling.mpf",
+                               "MEAS=1 G1 F300 Z90\nMEAS=-1 G1 F100 Z120\nR1=$AA_MW[Z]\nIF "
+                               "$AC_MEA[1]==0\nSETAL(65001)\nENDIF\nM30\n");
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(notes_of(run).count("PRB320"), 0U) << run.errors;
+}
+
 TEST(TouchNotes, GrazingIsAWarning) {
   // The ball's centre passes the upper edge 0.2 um lower than its radius; at 2 um the angle between
   // normal and move is acos(sqrt(2 r e) / r) = 87.9 degrees, which is oblique.
