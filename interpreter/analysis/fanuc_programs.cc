@@ -1,4 +1,5 @@
 #include <charconv>
+#include <map>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -30,7 +31,7 @@ fanuc::ProgramKey key_of(const Call& call) {
 class FanucPrograms final : public ProgramSet {
  public:
   FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources, WordReading reading)
-      : profile_(profile), library_(sources), reading_(std::move(reading)) {
+      : profile_(profile), sources_(sources), library_(sources), reading_(std::move(reading)) {
     library_.compile_for(profile);
   }
 
@@ -89,6 +90,28 @@ class FanucPrograms final : public ProgramSet {
     return all;
   }
 
+  std::vector<Finding> hidden_programs(const std::string& path) override {
+    std::vector<Finding> hidden;
+    std::map<fanuc::ProgramKey, source::Location> known;
+    const auto programs = library_.programs_of(path);
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      const fanuc::CompiledProgram& program = *programs[i];
+      if (program.steps.size() <= 1) {
+        continue;  // an O number that an editor left behind
+      }
+      const source::Location name = location_in(program, program.tree->programs[i].name);
+      const auto [first, is_new] = known.try_emplace(program.key, name);
+      if (!is_new && !program.key.is_empty()) {
+        const int line = sources_.show(first->second).line;
+        hidden.push_back({RuleId::ProgramTwice, 0, name,
+                          fmt::format("{} appears twice: calls find that of line {}",
+                                      to_text(program.key), line),
+                          std::string(source::info(source::DiagnosticId::ProgramTwice).remedy)});
+      }
+    }
+    return hidden;
+  }
+
   std::optional<Fault> missing_program(const Flow& caller, const Call& call) override {
     if (call.target.empty() || call.target == caller.program) {
       return std::nullopt;
@@ -112,6 +135,7 @@ class FanucPrograms final : public ProgramSet {
 
  private:
   const fanuc::Profile& profile_;
+  source::SourceMap& sources_;
   fanuc::ProgramLibrary library_;
   WordReading reading_;
   std::unordered_map<std::string, bool> lets_every_block_call_;  ///< by file, of those added so far

@@ -41,6 +41,8 @@ class ProgramSet {
   virtual std::optional<Finding> refusal(const std::string& /*path*/) { return std::nullopt; }
   /// All programs of a file that was added, in its order; behind the last file and folder.
   virtual std::vector<Flow> flows(const std::string& path) = 0;
+  /// Programs of a file that was added which no call finds: one of their name stands before them.
+  virtual std::vector<Finding> hidden_programs(const std::string& /*path*/) { return {}; }
   /// What every run begins with, wherever it stands; behind the last file and folder.
   virtual std::vector<Flow> definitions() { return {}; }
   /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.

@@ -68,6 +68,8 @@ class Findings {
     }
   }
 
+  void add(Finding finding) { found_.push_back(std::move(finding)); }
+
   std::vector<Finding> take() {
     std::ranges::stable_sort(found_, {}, [](const Finding& f) { return f.where.begin; });
     return std::move(found_);
@@ -128,6 +130,9 @@ std::vector<Finding> static_findings(ProgramSet& programs, const std::string& pa
   Findings findings(programs);
   for (const Flow& flow : flows) {
     findings.add(flow);
+  }
+  for (Finding& finding : programs.hidden_programs(path)) {
+    findings.add(std::move(finding));
   }
   return findings.take();
 }

@@ -68,5 +68,19 @@ TEST(Check, WordsOfACallByEveryBlockAreNoGCodes) {
   EXPECT_EQ(checked(options).exit_code, 0);
 }
 
+// A control refuses to load the second one, and every call finds the first.
+TEST(CheckCodes, AProgramThatIsThereTwiceIsTold) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("twice.nc", "O1\nM98 P100\nM30\nO100\n#500=1\nM99\nO100\n#500=2\nM99\n");
+  const auto output = testing::g31({"check", file});
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.out.find("twice.nc:7:1: warning: O0100 appears twice: calls find that of line 4 "
+                            "[NC013]"),
+            std::string::npos)
+      << output.out;
+  EXPECT_EQ(testing::g31({"check", folder.write("left.nc", "O1\nO1\nM30\n")}).out, "");
+}
+
 }  // namespace
 }  // namespace g31::check_codes_test

@@ -131,7 +131,9 @@ ProgramPaths program_paths(const std::vector<std::string>& named) {
   ProgramPaths paths;
   std::set<std::string> known;
   const auto add = [&](const std::string& file) {
-    const bool is_new = known.insert(fs::path(file).lexically_normal().string()).second;
+    std::error_code error;
+    const fs::path whole = fs::absolute(file, error);  // b.nc and ../here/b.nc are one
+    const bool is_new = known.insert(whole.lexically_normal().string()).second;
     if (is_new) {
       paths.files.push_back(file);
     }
