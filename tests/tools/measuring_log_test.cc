@@ -244,6 +244,19 @@ TEST(MeasuringLog, NewDeletesAppendGoesOnAndTheLastMeasurementCanBeWrittenLater)
   EXPECT_EQ(file_of(run, "LOG.TXT"), kHead);
 }
 
+// As the two printed examples have it: the digit of the user's log beside that of the last
+// measurement (manual, 3.16.3.3 and 3.16.3.6).
+TEST(MeasuringLog, TheLastMeasurementOfTheUsersLogIsWhatItsLinesStillSay) {
+  const MeasuringRun run = measured(
+      "Z-5\nCYCLE977(101,10001,,1,40.01,,,2,5)\nS_LOGTXT[0]=\"USER LINE\"\n"
+      "CYCLE150(30,11012,\"//NC/MPF.DIR/LAST_MEASURE.TXT\")\n"
+      "CYCLE150(31,12,\"MEAS_PROTOCOL_LAST.TXT\")",
+      ring_aside());
+  EXPECT_EQ(file_of(run, "LAST_MEASURE.TXT"), "USER LINE\n");
+  EXPECT_EQ(file_of(run, "MEAS_PROTOCOL_LAST.TXT"), "USER LINE\n");
+  EXPECT_EQ(run.output.document.at("output"), "USER LINE\nPlease acknowledge with NC-Start\n");
+}
+
 TEST(MeasuringScreen, ShowsWaitsOrStaysAway) {
   struct Mode {
     const char* name;

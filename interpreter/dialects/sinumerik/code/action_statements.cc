@@ -169,6 +169,19 @@ void ActionStatements::action_statement() {
   synchronised_action(cursor_.previous().text, ActionScope::NextBlock, Expr());
 }
 
+/// The signal that ends a move: behind == or <>; without either 1.
+Expr ActionStatements::level_asked_for() {
+  const ShortSpan where = cursor_.peek().where;
+  if (cursor_.accept(Symbol::Equal)) {
+    return operations_.boolean(expressions_.expression());
+  }
+  if (!cursor_.accept(Symbol::NotEqual)) {
+    return operations_.constant(Type::Bool, 1.0, where);
+  }
+  return operations_.compare(OpCode::Equal, operations_.boolean(expressions_.expression()),
+                             operations_.constant(Type::Bool, 0.0, where), where);
+}
+
 /// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not; another synchronised action
 void ActionStatements::when_statement() {
   if (!cursor_.peek().is_name("$A_PROBE") && !cursor_.peek(1).is_name("$A_PROBE")) {
@@ -178,10 +191,9 @@ void ActionStatements::when_statement() {
   const bool bracket = cursor_.accept(Symbol::LeftParen);
   const bool of_probe = cursor_.accept_name("$A_PROBE") && cursor_.accept(Symbol::LeftBracket);
   const Expr probe = of_probe ? operations_.convert(expressions_.expression(), Type::Int) : Expr();
-  const bool compared =
-      of_probe && cursor_.accept(Symbol::RightBracket) && cursor_.accept(Symbol::Equal);
-  const Expr level = compared ? operations_.boolean(expressions_.expression()) : Expr();
-  const bool closed = compared && (!bracket || cursor_.accept(Symbol::RightParen));
+  const bool is_named = of_probe && cursor_.accept(Symbol::RightBracket);
+  const Expr level = is_named ? level_asked_for() : Expr();
+  const bool closed = is_named && (!bracket || cursor_.accept(Symbol::RightParen));
   const bool deletes = closed && cursor_.accept_name("DO") && cursor_.accept_name("DELDTG") &&
                        cursor_.peek().kind == TokenKind::End;
   if (!deletes && !failed()) {

@@ -35,6 +35,7 @@ class ActionStatements : private BlockPart {
 
   void numbered_action();
   void action_statement();
+  Expr level_asked_for();
   void when_statement();
   /// SETINT
   void interrupt_statement();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -5,9 +6,19 @@
 #include "interpreter/dialects/sinumerik/code/definitions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/constants.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "interpreter/dialects/sinumerik/vocabulary/operators.h"
 
 namespace g31::sinumerik {
 namespace {
+
+/// A word that no variable can be called by; addresses are no such words: DEF INT I, F.
+bool is_of_the_language(std::string_view name) {
+  const bool is_operator =
+      name == "NOT" || name == "B_NOT" ||
+      std::ranges::any_of(operators(), [&](const OperatorInfo& row) { return row.name == name; });
+  return is_operator || is_keyword(name) || find_function(name) || find_g_code(name) ||
+         find_constant(name) != nullptr;
+}
 
 constexpr std::size_t kLongestName = 31;
 constexpr std::int32_t kLongestString = 200;
@@ -109,9 +120,9 @@ std::optional<Variable> Definitions::declared_variable(const DeclaredType& decla
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   } else if (name.text.size() > kLongestName) {
     fail(AlarmId::NameTooLong, name.where, name.text);
-  } else if (is_keyword(name.text) || find_function(name.text) || find_g_code(name.text) ||
-             find_constant(name.text) != nullptr) {
-    fail(AlarmId::DefinedTwice, name.where, name.text);
+  } else if (is_of_the_language(name.text) ||
+             (is_numbered && (name.is_letter('G') || name.is_letter('M')))) {
+    fail(AlarmId::DefinedTwice, name.where, std::string(name.text) + number);
   }
   Variable variable;
   variable.name = std::string(name.text) + number;
