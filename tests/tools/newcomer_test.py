@@ -44,6 +44,8 @@ MISTAKES = (
     ("a size of another shape", {"s.toml": "[[part]]\nshape = \"block\"\nbore = 5.0\n"}, run(), 2, "which takes name, file"),
     ("a part without a body", {"s.toml": "[[part]]\nname = \"a\"\n"}, run(), 2, "for example: file = "),
     ("a file that is not there", {"s.toml": CAD.format("stl")}, run(), 5, "paths start at the folder of the sheet"),
+    ("a mistyped machine", {"s.toml": "[machine]\nfile = \"v5.toml\"\n"}, run(), 5, "lathe_c.toml, v55.toml"),
+    ("a name of another control's variable", {"p.mpf": "M30\n"}, ("run", "p.mpf", "--print", "#500"), 2, "called R1, _OVR[4] or $AA_MW[X]"),
     ("a part as IGES", {"s.toml": CAD.format("igs"), "part.igs": "S"}, run(), 5, "a file of IGES, which g31 does not read: export STEP or STL"),
     ("a part as Parasolid", {"s.toml": CAD.format("x_t"), "part.x_t": "**"}, run(), 5, "a file of Parasolid, which g31 does not read: export STEP or STL"),
     ("a part of an unknown format", {"s.toml": CAD.format("xyz"), "part.xyz": "1 2 3\n"}, run(), 5, "export STEP or STL"),

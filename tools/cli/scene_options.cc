@@ -15,7 +15,8 @@ namespace g31::cli {
 CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
   CLI::App* const scene = app.add_subcommand(
       "scene",
-      "Run an NC program and write parts, ways and touches as a glTF 2.0 scene or a picture.");
+      "Run an NC program and write parts, ways and touches as a glTF 2.0 scene or a picture.  What "
+      "[expect] of a sheet says is judged by g31 run.");
   add_program_options(*scene, options.run);
   scene
       ->add_option("-o,--output", options.output,

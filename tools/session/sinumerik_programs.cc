@@ -35,7 +35,11 @@ class SinumerikSession final : public Session {
     return session_.evaluate(level, text);
   }
   std::optional<std::string> wrong_name(const std::string& name) override {
-    return session_.wrong_expression(name);
+    auto wrong = session_.wrong_expression(name);
+    if (wrong && name.starts_with('#')) {
+      *wrong += ": variables of this control are called R1, _OVR[4] or $AA_MW[X]";
+    }
+    return wrong;
   }
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
     return session_.variable(name);

@@ -1,8 +1,14 @@
 #include "tools/setup/sheet_stack.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/setup/check_sheet.h"
 #include "tools/setup/fill_job.h"
@@ -29,7 +35,7 @@ class SheetReader {
       const auto shipped = shipped_machine(*named, machines_folder);
       if (!shipped) {
         errors_.add(SetupErrorId::FileNotFound, named->where, {path},
-                    "paths start at the folder of the sheet");
+                    "paths start at the folder of the sheet" + shipped_machines(machines_folder));
         return;
       }
       path = *shipped;
@@ -64,6 +70,20 @@ class SheetReader {
     std::error_code unreadable;
     const bool found = !folder.empty() && as_given.is_relative() && fs::exists(path, unreadable);
     return found ? std::optional(path.string()) : std::nullopt;
+  }
+
+  /// Behind a remedy: what comes along; "" where that folder is not there.
+  static std::string shipped_machines(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+      if (entry.path().extension() == ".toml") {
+        names.push_back(entry.path().filename().string());
+      }
+    }
+    std::ranges::sort(names);
+    return names.empty() ? ""
+                         : fmt::format("; machines that come with g31: {}", fmt::join(names, ", "));
   }
 
   const Document* read(const std::string& path) {

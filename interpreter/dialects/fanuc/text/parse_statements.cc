@@ -35,6 +35,9 @@ void Parser::keyword(Block& block) {
   } else if (scanner_.accept_word("DO")) {
     block.kind = BlockKind::Do;
     block.number = loop_number();
+  } else if (scanner_.accept_word("ENDIF")) {
+    expressions_.fail_at(AlarmId::IllegalLoopNumber, {begin, scanner_.position()},
+                         "there is no ENDIF: IF .. THEN rules one statement, IF .. GOTO jumps");
   } else if (scanner_.accept_word("END") || scanner_.accept_word("EN")) {
     block.kind = BlockKind::End;
     block.number = loop_number();
@@ -275,7 +278,8 @@ int Parser::loop_number() {
   if (!number || number->has_point || number->value < 1.0 || number->value > kLargestLoopNumber) {
     expressions_.fail_at(AlarmId::IllegalLoopNumber,
                          {begin, std::max(begin + 1, scanner_.position())},
-                         "a loop number is an integer from 1");
+                         fmt::format("a loop number is an integer from 1 to {}",
+                                     static_cast<int>(kLargestLoopNumber)));
     return 0;
   }
   return static_cast<int>(number->value);

@@ -241,7 +241,8 @@ void Parser::assignment(Block& block) {
     return;
   }
   if (!scanner_.accept('=')) {
-    fail(AlarmId::ExpressionFormat, "= is expected after the variable");
+    fail(AlarmId::ExpressionFormat,
+         fmt::format("= is expected after the variable{}", letter_o_hint(scanner_.peek())));
     return;
   }
   scanner_.forget_comment();
@@ -274,7 +275,7 @@ void Parser::expect_end(Block& block) {
   }
   const bool starts_word = next >= 'A' && next <= 'Z';
   fail(starts_word || next == '#' ? AlarmId::MixedStatement : AlarmId::ExpressionFormat,
-       fmt::format("the statement ends before {}", source::quoted(next)));
+       fmt::format("the statement ends before {}{}", source::quoted(next), letter_o_hint(next)));
   block.kind = BlockKind::Bad;
 }
 
@@ -341,7 +342,8 @@ bool Parser::word() {
     return called_name();
   }
   if (letter == 0) {
-    fail(AlarmId::IllegalAddress, fmt::format("{} is not an address letter", source::quoted(next)));
+    fail(AlarmId::IllegalAddress, fmt::format("{} is not an address letter{}", source::quoted(next),
+                                              next == ',' ? " (the decimal sign is a point)" : ""));
     return false;
   }
   Word& word = tree_.words.emplace_back();

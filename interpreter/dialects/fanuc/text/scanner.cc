@@ -58,6 +58,10 @@ std::string why_no_word(std::string_view text, char next) {
   return fmt::format("{} cannot begin a word", source::quoted(next));
 }
 
+std::string_view letter_o_hint(char next) {
+  return next == 'O' ? " (the letter O instead of 0?)" : "";
+}
+
 std::string digit_count(std::uint8_t digits) {
   return fmt::format("{} digits{}", digits, digits == 255 ? " or more" : "");
 }

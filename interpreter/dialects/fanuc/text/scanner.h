@@ -59,6 +59,9 @@ struct ScannedNumber {
 /// Why a text cannot begin a block here.  @param next  what stands there
 std::string why_no_word(std::string_view text, char next);
 
+/// Behind a message, where a letter O stands in the place of a digit perhaps; else "".
+std::string_view letter_o_hint(char next);
+
 /// For messages: how many digits ScannedNumber::digits counted.
 std::string digit_count(std::uint8_t digits);
 
