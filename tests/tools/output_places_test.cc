@@ -236,6 +236,27 @@ TEST_F(OutputPlaces, OfSingleRunsAreNoneOfWhatIsRead) {
   EXPECT_NE(said.errors.find("v-1.toml: it would take the place"), std::string::npos)
       << said.errors;
   EXPECT_EQ(text_of(folder_.path("v-1.toml")), "[variables]\n\"#103\" = 1.0\n");
+  // Nor are they other outputs, nor devices with a number behind their names.
+  const CommandOutput shared = testing::g31(
+      {"study", study, "--svg", folder_.path("e.svg"), "--json", folder_.path("e-2.svg")});
+  EXPECT_EQ(shared.exit_code, 2) << shared.errors;
+  EXPECT_NE(shared.errors.find("--json and --svg cannot both be"), std::string::npos)
+      << shared.errors;
+  const CommandOutput device = testing::g31({"study", study, "--svg", "/dev/null"});
+  EXPECT_EQ(device.exit_code, 2) << device.errors;
+  EXPECT_FALSE(fs::exists("/dev/null-1"));
+}
+
+TEST_F(OutputPlaces, AreNoneOfWhatTheProgramWrites) {
+  folder_.write("w.mpf", "DEF INT E\nWRITE(E,\"LOG\",\"line\")\nM30\n");
+  folder_.write("files.toml", "[control]\nprofile = \"sinumerik-828d\"\nfiles = \"kept\"\n");
+  fs::create_directories(folder_.path("kept"));
+  const CommandOutput said =
+      testing::g31({"run", folder_.path("w.mpf"), "-s", folder_.path("files.toml"), "--json",
+                    folder_.path("kept/LOG")});
+  EXPECT_EQ(said.exit_code, 2) << said.errors;
+  EXPECT_NE(said.errors.find("it would take the place"), std::string::npos) << said.errors;
+  EXPECT_FALSE(fs::exists(folder_.path("kept/LOG")));
 }
 
 // What an earlier run of the command has left is no input.

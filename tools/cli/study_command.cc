@@ -67,6 +67,13 @@ std::string place_of_drawing(const std::string& file, std::size_t number, std::s
 /// More files than these are no drawings to look at.
 constexpr std::size_t kMostDrawings = 1000;
 
+/// Whether numbers behind the name would make another thing of it: a stream, a device.
+bool is_no_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  return path == "-" || (std::filesystem::exists(status) && !is_regular_file(status));
+}
+
 /// What --svg wants of a study.
 std::optional<Refusal> take_drawings(const StudyOptions& options, study::Study& study) {
   if (options.svg.empty()) {
@@ -79,8 +86,8 @@ std::optional<Refusal> take_drawings(const StudyOptions& options, study::Study& 
     return session::bad_input(fmt::format("--svg makes a file for each of {} runs: at most {}",
                                           study::run_count(study), kMostDrawings));
   }
-  if (options.svg == "-" && study::run_count(study) > 1) {
-    return session::bad_input("--svg - is for a study of one run");
+  if (study::run_count(study) > 1 && is_no_file(options.svg)) {
+    return session::bad_input(fmt::format("--svg {} is for a study of one run", options.svg));
   }
   study.evaluation->request.wants_drawing = true;
   study.evaluation->request.language = options.language;
@@ -262,9 +269,13 @@ std::string place_of_drawing(const StudyOptions& options, const study::Record& r
 /// @param read  what the study has read
 std::optional<Refusal> wrong_written_place(const StudyOptions& options, const MadeStudy& made,
                                            const InputLists& read) {
-  std::optional<Refusal> wrong = wrong_place(study_outputs(options), read);
+  std::vector<OutputPlace> outputs = study_outputs(options);
+  std::optional<Refusal> wrong = wrong_place(outputs, read);
+  const auto drawing = std::ranges::find(outputs, "--svg", &OutputPlace::option);
+  std::rotate(drawing, drawing + 1, outputs.end());  // it is told of behind the others
   for (std::size_t i = 0; i < made.drawings.size() && !wrong; ++i) {
-    wrong = wrong_place({{"--svg", place_of_drawing(options, made.record, i)}}, read);
+    outputs.back().path = place_of_drawing(options, made.record, i);
+    wrong = wrong_place(outputs, read);
   }
   return wrong;
 }
