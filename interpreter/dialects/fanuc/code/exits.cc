@@ -72,7 +72,6 @@ std::optional<double> constant_in(const CompiledProgram& program, Operand operan
   return cell.is_vacant() ? std::nullopt : std::optional(cell.raw());
 }
 
-/// What IF and WHILE find when both sides of their one comparison are numbers.
 std::optional<bool> constant_condition(const CompiledProgram& program, const Step& step) {
   const bool asks = step.kind == BlockKind::IfGoto || step.kind == BlockKind::IfThen ||
                     step.kind == BlockKind::While;
