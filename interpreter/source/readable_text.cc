@@ -134,6 +134,30 @@ std::string read_as(Writing writing, std::string_view bytes) {
   contract_violated("every Writing is read", __FILE__, __LINE__);
 }
 
+int column_in(std::string_view line, std::size_t bytes) {
+  std::string_view rest = line.substr(0, bytes);
+  if (writing_of(line) != Writing::ShiftJis) {
+    return column_behind(rest);
+  }
+  int column = 1;
+  for (; !rest.empty(); ++column) {
+    rest.remove_prefix(shift_jis_piece(rest).length);
+  }
+  return column;
+}
+
+std::size_t bytes_in_front(std::string_view line, int column) {
+  const auto characters = static_cast<std::size_t>(std::max(column, 1) - 1);
+  if (writing_of(line) != Writing::ShiftJis) {
+    return bytes_of_characters(line, characters);
+  }
+  std::string_view rest = line;
+  for (std::size_t i = 0; i < characters && !rest.empty(); ++i) {
+    rest.remove_prefix(shift_jis_piece(rest).length);
+  }
+  return line.size() - rest.size();
+}
+
 std::string readable_text(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,12 @@ Writing writing_of(std::string_view line);
 
 /// A piece of such a line in UTF-8; U+FFFD where Shift-JIS has no such character.
 std::string read_as(Writing writing, std::string_view bytes);
+
+/// The column of what stands behind so many bytes of a line, from 1, in characters of its writing.
+int column_in(std::string_view line, std::size_t bytes);
+
+/// The way back: how many bytes stand in front of a column; all where the line is shorter.
+std::size_t bytes_in_front(std::string_view line, int column);
 
 /// Bytes of a program as people read them, in UTF-8, each line by itself.
 /// @returns as many lines

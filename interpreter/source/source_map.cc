@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "interpreter/source/readable_text.h"
 #include "machine/base/contract.h"
 #include "machine/base/utf_8.h"
 
@@ -45,14 +46,14 @@ ShownPlace shown(const std::string& name, std::string_view text, const LineStart
   for (; before > 0 && rest.starts_with('\r'); --before) {
     rest.remove_prefix(1);
   }
-  return {name, place.line + first_line - 1, column_behind(rest.substr(0, before)),
-          std::string(rest.substr(0, rest.find_first_of("\r\n")))};
+  const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
+  return {name, place.line + first_line - 1, column_in(line, before), std::string(line)};
 }
 
 }  // namespace
 
 std::size_t bytes_before(const ShownPlace& place) {
-  return bytes_of_characters(place.text, static_cast<std::size_t>(std::max(place.column, 1)) - 1);
+  return bytes_in_front(place.text, place.column);
 }
 
 FileId SourceMap::add(const std::string& name) {

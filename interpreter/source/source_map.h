@@ -22,7 +22,7 @@ namespace g31::source {
 struct ShownPlace {
   std::string file;  ///< as it was opened; empty: no place
   int line = 0;      ///< from 1; 0: the text is no longer to be had
-  int column = 0;    ///< from 1, in characters as character_count() counts them
+  int column = 0;    ///< from 1, in characters as people read them
   std::string text;  ///< of the line, without its end and a byte order mark
 };
 

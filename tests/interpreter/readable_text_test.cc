@@ -52,5 +52,21 @@ TEST(ReadableText, OfAPieceIsReadAsItsLineIs) {
       << "cut in a character";
 }
 
+TEST(ReadableText, CountsItsCharactersWhateverTheyAreWrittenIn) {
+  // "(測定) #1" and "(ｱｲ) #1" in Shift-JIS and in UTF-8, "(Ø) #1" in Latin-1.
+  struct Row {
+    std::string line;
+    int column;  ///< of the #
+  };
+  for (const auto& [line, column] : {Row{"(\x91\xAA\x92\xE8) #1", 6}, Row{"(測定) #1", 6},
+                                     Row{"(\xB1\xB2) #1", 6}, Row{"(\xD8) #1", 5}, Row{"#1", 1}}) {
+    const std::size_t bytes = line.find('#');
+    EXPECT_EQ(source::column_in(line, bytes), column) << line;
+    EXPECT_EQ(source::bytes_in_front(line, column), bytes) << line;
+    EXPECT_EQ(source::column_in(line, 99), column + 2) << line;
+    EXPECT_EQ(source::bytes_in_front(line, 99), line.size()) << line;
+  }
+}
+
 }  // namespace
 }  // namespace g31::readable_text_test

@@ -265,5 +265,18 @@ TEST(Progress, ShowsOnceWorkHasTakenASecond) {
   EXPECT_EQ(silent.errors, "");
 }
 
+// Comments of old programs are in Shift-JIS; a document has them as people read them.
+TEST(CheckFormats, LinesOfShiftJisAreReadableAndTheirColumnsCountCharacters) {
+  const testing::TemporaryFolder folder;
+  const std::string file = folder.write("jis.nc", "O1\n(\x91\xAA\x92\xE8) #1=1/0\nM30\n");
+  const auto output = testing::g31({"check", file, "--json", "-"});
+  const auto document = nlohmann::json::parse(output.out);
+  const auto& finding = document.at("findings").at(0);
+  EXPECT_EQ(finding.at("line_text"), "(測定) #1=1/0");
+  EXPECT_EQ(finding.at("line"), 2);
+  EXPECT_EQ(finding.at("column"), 9);
+  EXPECT_EQ(finding.at("end_column"), 12);
+}
+
 }  // namespace
 }  // namespace g31::check_formats_test

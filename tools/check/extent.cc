@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "interpreter/source/printable.h"
-#include "machine/base/utf_8.h"
+#include "interpreter/source/readable_text.h"
 
 namespace g31::check {
 namespace {
@@ -13,7 +13,8 @@ namespace {
 /// Of a program whose blocks all stand on one line the line would come with each finding.
 std::string text_of_line(const source::ShownPlace& place) {
   constexpr std::size_t kMostBytes = 1000;
-  return source::printable(std::string_view(place.text).substr(0, kMostBytes));
+  const std::string_view line = place.text;
+  return source::printable(source::read_as(source::writing_of(line), line.substr(0, kMostBytes)));
 }
 
 }  // namespace
@@ -21,7 +22,7 @@ std::string text_of_line(const source::ShownPlace& place) {
 Extent extent_of(const analysis::Finding& finding, const source::SourceMap& sources) {
   const source::ShownPlace place = sources.show(finding.where);
   const std::string_view line = place.text;
-  const int end = column_behind(line.substr(0, bytes_before(place) + finding.where.length));
+  const int end = source::column_in(line, bytes_before(place) + finding.where.length);
   return {place.file,         place.line, place.column, place.line, std::max(end, place.column + 1),
           text_of_line(place)};
 }

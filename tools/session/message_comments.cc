@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "interpreter/source/readable_text.h"
 #include "machine/base/letters.h"
-#include "machine/base/utf_8.h"
 
 namespace g31::session {
 namespace {
@@ -157,7 +157,7 @@ std::vector<MessageComment> asking(const Line& line) {
       if (found.size() == kMostOfALine) {
         return found;
       }
-      one.column = column_behind(line.text.substr(0, comment.begin));
+      one.column = source::column_in(line.text, comment.begin);
       one.begin = comment.begin;
       one.length = comment.length;
       found.push_back(std::move(one));
