@@ -36,11 +36,19 @@ std::vector<std::string> words_in(std::string_view text) {
   return words;
 }
 
-/// Whether a word of the text begins with `word`; both in small letters.
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Whether a word of the text begins with `word`; both in small letters.  Decimals are none: 9999
+/// is not in 9.9999.
 bool has_word(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string_view::npos;
        at = text.find(word, at + 1)) {
-    if (at == 0 || std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0) {
+    const char before = at > 0 ? text[at - 1] : ' ';
+    const bool goes_on = std::isalnum(static_cast<unsigned char>(before)) != 0 ||
+                         (before == '.' && is_digit(word.front()));
+    if (!goes_on) {
       return true;
     }
   }
