@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "tools/disk/part_file.h"
@@ -202,9 +201,7 @@ std::optional<std::string> write_whole_file(const std::string& path,
     write(*file.value());
   }
   const auto reason = file ? file.value()->finish() : file.error();
-  return reason ? std::optional(fmt::format("cannot write {}: {}",
-                                            path == "-" ? "standard output" : path, *reason))
-                : std::nullopt;
+  return reason ? std::optional(cannot_write(path, *reason)) : std::nullopt;
 }
 
 }  // namespace g31::disk

@@ -125,6 +125,10 @@ void keep_folder(const std::string& path) {
 
 }  // namespace
 
+std::string cannot_write(const std::string& path, std::string_view reason) {
+  return fmt::format("cannot write {}: {}", path == "-" ? "standard output" : path, reason);
+}
+
 Result<fs::path, std::string> written_file(const std::string& path) {
   constexpr int kMostLinks = 40;  // as the system follows
   fs::path file(path);

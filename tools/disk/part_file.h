@@ -17,6 +17,9 @@ namespace g31::disk {
 /// @returns why there is no such file, in the system's words
 Result<std::filesystem::path, std::string> written_file(const std::string& path);
 
+/// What is told of a path that cannot be written.  @param reason  in the system's words
+std::string cannot_write(const std::string& path, std::string_view reason);
+
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
 /// small and nobody ever sees half of it; a link to a file stays one, be that file there or not,
 /// and so do owner and mode of a file that is replaced.  Its bytes are on the disk before it gets

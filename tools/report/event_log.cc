@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "tools/report/event_json.h"
 #include "tools/report/run_document.h"
 #include "tools/session/ending.h"
@@ -38,7 +36,7 @@ Result<std::shared_ptr<EventLog>, std::string> EventLog::create(const std::strin
                                                                 runtime::OutputBudget& budget) {
   auto file = disk::PartFile::create(path);
   if (!file) {
-    return fmt::format("cannot write {}: {}", path, file.error());
+    return disk::cannot_write(path, file.error());
   }
   return std::shared_ptr<EventLog>(new EventLog(path, file.value(), sources, budget));
 }
@@ -102,8 +100,7 @@ std::optional<std::string> EventLog::finish(const RunResult& result, std::size_t
                            {"touches", touches},
                            {"machine_time_s", result.machine_time_s}}));
   const auto problem = file_->finish();
-  return problem ? std::optional(fmt::format("cannot write {}: {}", path_, *problem))
-                 : std::nullopt;
+  return problem ? std::optional(disk::cannot_write(path_, *problem)) : std::nullopt;
 }
 
 }  // namespace g31::report

@@ -11,7 +11,7 @@ Result<std::shared_ptr<ReadingsFile>, std::string> ReadingsFile::create(
     runtime::OutputBudget& budget) {
   auto file = disk::PartFile::create(path);
   if (!file) {
-    return fmt::format("cannot write {}: {}", path, file.error());
+    return disk::cannot_write(path, file.error());
   }
   std::string header = "t";
   for (std::size_t i = 0; i < kAxisCount; ++i) {
@@ -56,8 +56,7 @@ void ReadingsFile::add_row(const machine::MachinePort& machine) {
 
 std::optional<std::string> ReadingsFile::finish() {
   const auto problem = file_->finish();
-  return problem ? std::optional(fmt::format("cannot write {}: {}", path_, *problem))
-                 : std::nullopt;
+  return problem ? std::optional(disk::cannot_write(path_, *problem)) : std::nullopt;
 }
 
 }  // namespace g31::report

@@ -11,7 +11,7 @@ Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::str
                                                                   runtime::OutputBudget& budget) {
   auto file = disk::PartFile::create(path);
   if (!file) {
-    return fmt::format("cannot write {}: {}", path, file.error());
+    return disk::cannot_write(path, file.error());
   }
   std::string header = "time_s";
   for (const char* const what : {"commanded", "encoder", "true"}) {
@@ -64,8 +64,7 @@ void TraceFile::append(std::string& line, const AxisPositions& q) const {
 
 std::optional<std::string> TraceFile::finish() {
   const auto problem = file_->finish();
-  return problem ? std::optional(fmt::format("cannot write {}: {}", path_, *problem))
-                 : std::nullopt;
+  return problem ? std::optional(disk::cannot_write(path_, *problem)) : std::nullopt;
 }
 
 }  // namespace g31::report
