@@ -47,7 +47,11 @@ ShownPlace shown(const std::string& name, std::string_view text, const LineStart
     rest.remove_prefix(1);
   }
   const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
-  return {name, place.line + first_line - 1, column_in(line, before), std::string(line)};
+  int column = column_in(line, before);
+  if (before > line.size()) {  // at the line's end, or behind a CR that ends none
+    column += static_cast<int>(character_count(rest.substr(line.size(), before - line.size())));
+  }
+  return {name, place.line + first_line - 1, column, std::string(line)};
 }
 
 }  // namespace

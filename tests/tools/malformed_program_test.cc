@@ -171,7 +171,7 @@ const Case kAlarms[] = {
     {"CR alone", "%\rO1\rG0X1.\r#1=1/0\rM30\r", 3, "4:4", "    4 | #1=1/0\n"},
     {"marker behind UTF-8", framed("(gr\u00F6\u00DFe)#1=1/0"), 3, "2:11",
      "    2 | (gr\u00F6\u00DFe)#1=1/0\n      |           ^~~"},
-    {"marker behind Shift-JIS", framed("(\x83\x5C\x91\xAA)#1=1/0"), 3, "2:10",
+    {"marker behind Shift-JIS", framed("(\x83\x5C\x91\xAA)#1=1/0"), 3, "2:8",
      "    2 | (ソ測)#1=1/0\n      |          ^~~"},
     {"alarm text in Shift-JIS", framed("#3000=1(\x83\x5C\x91\xAA)"), 3, "2:1",
      "error: ソ測 [3001]"},

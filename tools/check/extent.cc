@@ -14,7 +14,10 @@ namespace {
 std::string text_of_line(const source::ShownPlace& place) {
   constexpr std::size_t kMostBytes = 1000;
   const std::string_view line = place.text;
-  return source::printable(source::read_as(source::writing_of(line), line.substr(0, kMostBytes)));
+  const std::string_view shown = line.substr(0, kMostBytes);
+  const auto writing = source::writing_of(line);
+  return source::printable(writing == source::Writing::ShiftJis ? source::read_as(writing, shown)
+                                                                : std::string(shown));
 }
 
 }  // namespace
