@@ -14,7 +14,6 @@
 #include "parts/features/recognise.h"
 #include "parts/solids/removal.h"
 #include "tools/disk/disk.h"
-#include "tools/disk/part_file.h"
 #include "tools/plan/plan_sheet.h"
 #include "tools/plan/plan_touches.h"
 #include "tools/plan/program_options.h"
@@ -121,7 +120,7 @@ class PartPlanner {
 
   Wrong write(const std::string& name, const std::string& text) const {
     const auto why = disk::write_whole_file(path(name), text);
-    return why ? Wrong(session::bad_input(disk::cannot_write(path(name), *why))) : std::nullopt;
+    return why ? Wrong(session::bad_input(*why)) : std::nullopt;
   }
 
   Wrong write_sheet() {
