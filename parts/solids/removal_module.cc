@@ -81,14 +81,15 @@ std::string outside(const Box& product_P, const Box& stock_P, double same_mm) {
 class Remover {
  public:
   /// @param same_mm  planes of the two that are not farther apart are one: those of rounded meshes
+  /// @param describer  of the product; outlives this
   Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock, const Removal& boxes,
-          double same_mm)
+          double same_mm, FaceDescriber& describer)
       : product_(product),
         stock_(stock),
         product_P_(boxes.product_P),
         stock_P_(boxes.stock_P),
         same_mm_(same_mm),
-        describer_(product) {}
+        describer_(describer) {}
 
   /// @returns why it cannot be done
   std::string remove(std::vector<RemovedVolume>& volumes) {
@@ -210,13 +211,12 @@ class Remover {
   Box product_P_;
   Box stock_P_;
   double same_mm_;
-  FaceDescriber describer_;
+  FaceDescriber& describer_;
 };
 
 /// What the file says of sizes, with its faces as plain data.
-std::vector<DrawnDimension> drawn(const SourceSolids& product) {
+std::vector<DrawnDimension> drawn(const SourceSolids& product, FaceDescriber& describer) {
   std::vector<DrawnDimension> dimensions;
-  FaceDescriber describer(product.shape);
   for (const StepDimension& step : product.dimensions) {
     DrawnDimension dimension{step.nominal_mm, step.lower_mm, step.upper_mm, {}};
     for (const TopoDS_Face& face : step.faces) {
@@ -252,8 +252,10 @@ std::string remove(const RemovalRequest& request, Removal& removal) {
       !why.empty()) {
     return why;
   }
-  removal.dimensions = drawn(product.value());
-  return Remover(product.value().shape, stock.value(), removal, kFaceErrorInRoundings * rounding)
+  FaceDescriber describer(product.value().shape);
+  removal.dimensions = drawn(product.value(), describer);
+  return Remover(product.value().shape, stock.value(), removal, kFaceErrorInRoundings * rounding,
+                 describer)
       .remove(removal.volumes);
 }
 

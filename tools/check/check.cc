@@ -174,8 +174,9 @@ Findings check(const Request& request, source::SourceMap& sources) {
     auto& programs = by_control[std::string(session::name_of(group.control))];
     if (programs == nullptr) {
       programs = session::analysed_programs(group.control, sources, request.setup);
+    } else {
+      programs->start_over();
     }
-    programs->start_over();
     std::vector<std::string> readable;
     for (const std::string& path : group.files) {
       const bool is_readable = programs->add_file(path);

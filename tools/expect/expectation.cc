@@ -77,13 +77,8 @@ Judged of_count(std::string name, std::size_t expected, std::size_t got) {
   return {std::move(name), std::to_string(expected), std::to_string(got), expected == got, {}};
 }
 
-Judged of_text(std::string name, const std::optional<std::string>& expected, std::string_view got) {
-  const bool holds = expected && *expected == got;
-  return {std::move(name),
-          expected ? in_quotes(*expected) : std::string(kNothing),
-          in_quotes(got),
-          holds,
-          {}};
+Judged of_text(std::string name, std::string_view expected, std::string_view got) {
+  return {std::move(name), in_quotes(expected), in_quotes(got), expected == got, {}};
 }
 
 /// @pre it has limits
@@ -140,12 +135,16 @@ struct Judge {
     return {"output_contains", in_quotes(expected.text), in_quotes(actual.output), holds, {}};
   }
   Judged operator()(const OutputFile& expected) const {
-    Judged judged = of_text("output_file", actual.file(expected.path), actual.output);
-    if (judged.expected == kNothing) {
-      judged.expected = fmt::format("{}, which cannot be read", expected.path);
-      judged.remedy = "correct the name of the file, or make it";
+    const auto text = actual.file(expected.path);
+    if (text) {
+      return of_text("output_file", *text, actual.output);
     }
-    return judged;
+    return {"output_file",
+            fmt::format("{}, which cannot be read", expected.path),
+            in_quotes(actual.output),
+            false,
+            {},
+            "correct the name of the file, or make it"};
   }
   Judged operator()(const Touches& expected) const {
     return of_count("touches", expected.count, actual.touches);

@@ -12,6 +12,7 @@
 #include "tools/manual/entries.h"
 #include "tools/session/manual.h"
 #include "tools/setup/keys.h"
+#include "tools/setup/variable_name.h"
 
 namespace g31::manual {
 namespace {
@@ -36,10 +37,6 @@ std::vector<std::string> words_in(std::string_view text) {
   return words;
 }
 
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
 /// Whether a word of the text begins with `word`; both in small letters.  Decimals are none: 9999
 /// is not in 9.9999.
 bool has_word(std::string_view text, std::string_view word) {
@@ -47,7 +44,7 @@ bool has_word(std::string_view text, std::string_view word) {
        at = text.find(word, at + 1)) {
     const char before = at > 0 ? text[at - 1] : ' ';
     const bool goes_on = std::isalnum(static_cast<unsigned char>(before)) != 0 ||
-                         (before == '.' && is_digit(word.front()));
+                         (before == '.' && setup::is_digit(word.front()));
     if (!goes_on) {
       return true;
     }

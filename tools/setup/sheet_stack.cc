@@ -1,6 +1,5 @@
 #include "tools/setup/sheet_stack.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "tools/disk/disk.h"
 #include "tools/setup/check_sheet.h"
 #include "tools/setup/fill_job.h"
 
@@ -74,14 +74,8 @@ class SheetReader {
 
   /// Behind a remedy: what comes along; "" where that folder is not there.
   static std::string shipped_machines(const std::string& folder) {
-    std::vector<std::string> names;
-    std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
-      if (entry.path().extension() == ".toml") {
-        names.push_back(entry.path().filename().string());
-      }
-    }
-    std::ranges::sort(names);
+    std::vector<std::string> names = disk::Disk().list(folder);
+    std::erase_if(names, [](const std::string& name) { return !name.ends_with(".toml"); });
     return names.empty() ? ""
                          : fmt::format("; machines that come with g31: {}", fmt::join(names, ", "));
   }

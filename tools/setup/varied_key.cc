@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <vector>
 
@@ -120,22 +119,12 @@ std::optional<std::string> why_no_size(const SheetTable& part, const VariedKey& 
 
 /// The numbers that a key has where a sheet does not give it; nullopt: other keys decide.
 std::optional<std::vector<double>> default_list(const KeyRow& row) {
-  std::string_view rest = row.default_text;
-  if (!rest.starts_with('[') || !rest.ends_with(']')) {
-    return std::nullopt;
+  const auto line = parse_document("", fmt::format("it = {}", row.default_text), 0);
+  if (!line) {
+    return std::nullopt;  // words
   }
-  std::vector<double> list;
-  while (rest != "]") {
-    rest.remove_prefix(rest.find_first_not_of("[, "));
-    double number = 0.0;
-    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if (end.ec != std::errc()) {
-      return std::nullopt;
-    }
-    list.push_back(number);
-    rest.remove_prefix(static_cast<std::size_t>(end.ptr - rest.data()));
-  }
-  return list;
+  const auto value = checked_value(line.value()->root.front().node, row.type, row.limit, row.unit);
+  return value ? std::optional(std::get<std::vector<double>>(value.value())) : std::nullopt;
 }
 
 /// The list of a key with one of its numbers changed; else why there is none.
