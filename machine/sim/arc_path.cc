@@ -47,6 +47,7 @@ ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
   }
   direction_from_ =
       radius_from_ > 0.0 ? Eigen::Vector2d(from / radius_from_) : Eigen::Vector2d(1.0, 0.0);
+  direction_to_ = radius_to_ > 0.0 ? Eigen::Vector2d(to / radius_to_) : turned(turned_rad_);
   const double around = radius() * turned_rad_;
   const double outwards = radius_to_ - radius_from_;
   length_ = std::sqrt(around * around + outwards * outwards);
@@ -62,12 +63,9 @@ AxisPositions ArcPath::at(double fraction) const {
   }
   AxisPositions q_M = q_M_from_ + fraction * displacement_;
   const double radius = radius_from_ + fraction * (radius_to_ - radius_from_);
-  const double cosine = std::cos(fraction * turned_rad_);
-  const double sine = std::sin(fraction * turned_rad_);
-  q_M[first_axis_] =
-      centre_first_ + radius * (direction_from_.x() * cosine - direction_from_.y() * sine);
-  q_M[second_axis_] =
-      centre_second_ + radius * (direction_from_.x() * sine + direction_from_.y() * cosine);
+  const Eigen::Vector2d direction = turned(fraction * turned_rad_);
+  q_M[first_axis_] = centre_first_ + radius * direction.x();
+  q_M[second_axis_] = centre_second_ + radius * direction.y();
   return q_M;
 }
 
@@ -75,14 +73,20 @@ AxisPositions ArcPath::slope_at(double fraction) const {
   AxisPositions slope = displacement_;
   const double outwards = radius_to_ - radius_from_;
   const double radius = radius_from_ + fraction * outwards;
-  const bool is_start = fraction == 0.0;  // asked of each arc
-  const double cosine = is_start ? 1.0 : std::cos(fraction * turned_rad_);
-  const double sine = is_start ? 0.0 : std::sin(fraction * turned_rad_);
-  const double c = direction_from_.x() * cosine - direction_from_.y() * sine;
-  const double s = direction_from_.x() * sine + direction_from_.y() * cosine;
-  slope[first_axis_] = outwards * c - radius * turned_rad_ * s;
-  slope[second_axis_] = outwards * s + radius * turned_rad_ * c;
+  // Both ends are asked of each arc.
+  const Eigen::Vector2d direction = fraction == 0.0   ? direction_from_
+                                    : fraction == 1.0 ? direction_to_
+                                                      : turned(fraction * turned_rad_);
+  slope[first_axis_] = outwards * direction.x() - radius * turned_rad_ * direction.y();
+  slope[second_axis_] = outwards * direction.y() + radius * turned_rad_ * direction.x();
   return slope;
+}
+
+Eigen::Vector2d ArcPath::turned(double angle_rad) const {
+  const double cosine = std::cos(angle_rad);
+  const double sine = std::sin(angle_rad);
+  return {direction_from_.x() * cosine - direction_from_.y() * sine,
+          direction_from_.x() * sine + direction_from_.y() * cosine};
 }
 
 AxisBox ArcPath::circle_bounds() const {

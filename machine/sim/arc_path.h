@@ -56,6 +56,9 @@ class ArcPath {
   [[nodiscard]] int chord_count() const;
 
  private:
+  /// The direction from the centre to the start, turned.
+  [[nodiscard]] Eigen::Vector2d turned(double angle_rad) const;
+
   AxisPositions q_M_from_;
   AxisPositions q_M_to_;
   AxisPositions displacement_;
@@ -66,6 +69,7 @@ class ArcPath {
   double radius_from_;
   double radius_to_;
   Eigen::Vector2d direction_from_;  // from the centre to the start, length 1
+  Eigen::Vector2d direction_to_;
   double turned_rad_;
   double length_;
 };

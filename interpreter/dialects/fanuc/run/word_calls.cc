@@ -18,9 +18,9 @@ Result<bool, Failure> has_called(MaybeFailure failure) {
 Result<bool, Failure> WordCalls::call_in_block() {
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
+  const std::uint32_t letters = every_block ? letters_of("G") : control_.code_calls.letters;
   for (const EvaluatedWord& word : words_.all()) {
-    const bool is_code = word.letter == 'G' || (word.letter == 'M' && !every_block);
-    if (!is_code && (every_block || address_call(word.letter).program == 0)) {
+    if ((letters >> (word.letter - 'A') & 1U) == 0) {
       continue;
     }
     auto called = word.letter == 'G'   ? call_by_g(word, every_block)
@@ -46,10 +46,13 @@ Result<bool, Failure> WordCalls::call_by_g(const EvaluatedWord& word, bool every
   if (word.number == 66.0 || word.number == 66.1) {
     return has_called(macros_.set_modal(word));
   }
+  const auto& macro_by_g = control_.code_calls.macro_by_g;
+  if (macro_by_g.empty()) {
+    return false;
+  }
   const int code = nearest_integer(word.number);
-  const auto call = control_.code_calls.macro_by_g.find(code);
-  if (call != control_.code_calls.macro_by_g.end() && word.number == code &&
-      may_call(CalledBy::GCode)) {
+  const auto call = macro_by_g.find(code);
+  if (call != macro_by_g.end() && word.number == code && may_call(CalledBy::GCode)) {
     return has_called(macros_.call_by_code(word, call->second, CalledBy::GCode));
   }
   return false;

@@ -1,7 +1,5 @@
 #include "interpreter/dialects/fanuc/state/code_calls.h"
 
-#include "interpreter/dialects/fanuc/text/word_values.h"
-
 namespace g31::fanuc {
 namespace {
 
@@ -56,16 +54,21 @@ void CodeCalls::turn_over(const Parameters& before, const Parameters& now, const
 
 void CodeCalls::choose_addresses(const Parameters& parameters, const Profile& profile) {
   by_address = {};
+  letters = kCodes;
+  const auto choose = [this](char letter, const AddressCall& call) {
+    by_address.at(static_cast<std::size_t>(letter - 'A')) = call;
+    letters |= letters_of({&letter, 1});
+  };
   for (const SwitchedCall& row : kSwitchedCalls) {
     if (parameters.is_on(row.parameter) && (profile.has_series_30i_functions() || !row.only_30i)) {
-      by_address.at(static_cast<std::size_t>(row.letter - 'A')) = row.call;
+      choose(row.letter, row.call);
     }
   }
   int index = 0;
   for (const AddressCall& call : kNamedCalls) {
     const int letter = nearest_integer(parameters.get(ParameterId::AddressCall, index++));
     if (letter >= 'A' && letter <= 'Z') {
-      by_address.at(static_cast<std::size_t>(letter - 'A')) = call;
+      choose(static_cast<char>(letter), call);
     }
   }
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 
+#include "interpreter/dialects/fanuc/text/word_values.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/syntax/tree.h"
@@ -23,6 +25,8 @@ struct CodeCalls {
   std::map<int, int> macro_by_m;       ///< M number to macro program (MB-209)
   std::map<int, int> subprogram_by_m;  ///< M number to subprogram (MB-210)
   std::array<AddressCall, syntax::kLetterCount> by_address{};  ///< by letter - A (MB-211, MB-212)
+  /// The letters that may call: G, M and those of by_address.
+  std::uint32_t letters = kCodes;
 
   /// Parameters changed: calls of the old ones go, those of the new ones come; what the sheet named
   /// by code stays.
@@ -31,6 +35,7 @@ struct CodeCalls {
   bool operator==(const CodeCalls&) const = default;
 
  private:
+  static constexpr std::uint32_t kCodes = letters_of("GM");
   void choose_addresses(const Parameters& parameters, const Profile& profile);
 };
 

@@ -55,7 +55,11 @@ class Parser {
   syntax::Index bare_message(syntax::Block& block);
   [[nodiscard]] bool at_folder() const;
   [[nodiscard]] bool at_punched_variable() const {
-    return scanner_.text().substr(scanner_.position()).starts_with(kPunchedVariable);
+    const std::string_view text = scanner_.text();
+    const std::size_t zero = scanner_.position() + 2U;
+    // Nearly all blocks begin with G1 and no 0.
+    return zero < text.size() && text[zero] == kPunchedVariable[2] &&
+           text.substr(scanner_.position()).starts_with(kPunchedVariable);
   }
   void punched_variable(syntax::Block& block);
   void words(syntax::Block& block);

@@ -255,10 +255,11 @@ constexpr ModelProfile kModelProfiles[] = {{"0i-MD", fanuc_0i_d()},
                                            {"0i-F", fanuc_0i_f()}};
 
 const GCode* unless_missing(const GCode* code, const Profile& profile) {
-  const bool is_there =
-      code != nullptr && (code->set != CodeSet::Family ||
-                          !std::ranges::binary_search(profile.missing_g_codes, code->number));
-  return is_there ? code : nullptr;
+  const auto missing = profile.missing_g_codes;
+  const bool is_missing = code != nullptr && code->set == CodeSet::Family && !missing.empty() &&
+                          !(code->number < missing.front()) &&  // as the codes of nearly all blocks
+                          std::ranges::binary_search(missing, code->number);
+  return is_missing ? nullptr : code;
 }
 
 consteval bool missing_codes_rise() {
