@@ -103,6 +103,7 @@ def main():
         calibration_row(arguments.g31, arguments.rounds, folder)
         benchmark_rows(build / "tests/g31_bench", arguments.rounds)
         print()
+        arguments.g31 = beside_rs274.copied(arguments.g31, folder)
         beside_rs274.compare_all(arguments, workloads.WORKLOADS, folder)
 
 
