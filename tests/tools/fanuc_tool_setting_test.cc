@@ -230,6 +230,16 @@ TEST(FanucToolSetting, ALaserMeasuresStandingAndTurningTools) {
   expect_value(shop, "#11001", 100.3);
   expect_value(shop, "#13001", 8.0);
   EXPECT_EQ(Shop(kLaser, calibrate + "T3 M6\nG65 P9857 H1 D1 Q1.\n").alarm(), 3173);
+  // Its longest teeth come by at most the way of one turn late: 0.005 mm at any speed.
+  constexpr double kWayOfATurn = 0.005;
+  for (const int speed : {300, 1200, 6000}) {
+    SCOPED_TRACE(speed);
+    const Shop turning(kLaser,
+                       calibrate + fmt::format("T2 M6\nG65 P9857 H2 D2 S{} R6. Q1.\n", speed));
+    EXPECT_EQ(turning.exit_code(), 0) << turning.errors();
+    expect_value(turning, "#11002", 120.25, kWayOfATurn);
+    expect_value(turning, "#13002", 10.25, kWayOfATurn);
+  }
 }
 
 }  // namespace

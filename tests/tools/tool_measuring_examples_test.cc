@@ -35,6 +35,25 @@ TEST(ToolMeasuringExamples, ThreeTeethComeEvery120Degrees) {
                {{"_OVR[100]", 7.99}, {"_OVR[101]", 7.98}, {"_OVR[102]", 8.0}}, 1e-4);
 }
 
+/// On a disc of radius R a tooth at radius r goes back by r + r r / R times half its angle squared,
+/// not by r: whoever took it for a plane would look a degree and more beside these teeth.
+TEST(ToolMeasuringExamples, TeethAreFoundOnADisc) {
+  for (const double diameter : {25.0, 10.0}) {
+    SCOPED_TRACE(diameter);
+    const std::string disc = fmt::format(
+        "[[tool_probe]]\nshape = \"disc\"\nsize = [{}, 8.0]\nat = [200.0, 0.0, -300.0]\n"
+        "[machine_data]\n\"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]\" = {}\n"
+        "\"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]\" = {}\n\"$SNS_MEA_TP_EDGE_DISK_SIZE[0]\" = {}\n",
+        diameter, 200.0 + diameter / 2.0, 200.0 - diameter / 2.0, diameter);
+    expect_tools("$TC_DPNT[6,1]=3\n" + with_tool(6) + "CYCLE971(102,0,1,1,1,0,5,2,,0.0001,1)",
+                 {kKnown, disc,
+                  "[[tool]]\nnumber = 6\nlength = 100.0\ndiameter = 16.0\nteeth = [{ angle_deg = "
+                  "27.0 }, { angle_deg = 147.0, radius = 7.98 }, { angle_deg = 267.0, radius = "
+                  "7.99 }]\n"},
+                 {{"_OVR[100]", 7.99}, {"_OVR[101]", 7.98}, {"_OVR[102]", 8.0}}, 1e-5);
+  }
+}
+
 struct SpeedCase {
   double metres;    ///< a minute, SD54670
   double radius;    ///< mm, of the tool
