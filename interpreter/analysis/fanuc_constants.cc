@@ -87,8 +87,9 @@ class FanucConstants {
       return a ? unreadable(fanuc::variable_number(a->or_zero())) : std::nullopt;
     }
     if (op.code == fanuc::OpCode::DigitLimit) {
-      return op.function > profile_.digit_limit ? WrongFanuc(fanuc::too_many_digits(op.function))
-                                                : std::nullopt;
+      return op.function > profile_.digit_limit
+                 ? WrongFanuc(fanuc::too_many_digits(op.function, profile_.digit_limit))
+                 : std::nullopt;
     }
     const auto id = static_cast<fanuc::FunctionId>(op.function);
     return op.code == fanuc::OpCode::Call && a && !fanuc::is_defined_at(id, a->or_zero())

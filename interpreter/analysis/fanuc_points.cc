@@ -92,6 +92,15 @@ class Reader {
   const PointReading& reading_;
 };
 
+/// Whether K may be how often a canned cycle in force drills: nothing else in the block is of an
+/// arc.
+bool may_repeat(const fanuc::BlockWords& words) {
+  const auto is_arc = [](const EvaluatedWord& word) {
+    return word.letter == 'G' && (word.number == 2.0 || word.number == 3.0);
+  };
+  return !words.has_any(fanuc::letters_of("IJ")) && std::ranges::none_of(words.all(), is_arc);
+}
+
 bool has_inches(const fanuc::Profile& profile) {
   return fanuc::find_g_code(20.0, profile) != nullptr;
 }
@@ -115,7 +124,8 @@ std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, const Pointed
   }
   const Reader reader(block, profile, reading);
   for (const EvaluatedWord& word : words.all()) {
-    const auto counts = word.form == syntax::ValueForm::Integer && word.number != 0.0
+    const bool is_whole = word.form == syntax::ValueForm::Integer && word.number != 0.0;
+    const auto counts = is_whole && !(word.letter == 'K' && may_repeat(words))
                             ? reader.counts(word.letter)
                             : std::nullopt;
     if (counts && std::abs(word.number) / counts->per_unit < counts->least) {

@@ -157,6 +157,12 @@ struct Label {
   BlockIndex block = 0;
 };
 
+/// Files that a program writes, and may call then.
+struct WrittenFiles {
+  bool has_unknown = false;        ///< a name that a run works out
+  std::vector<std::string> names;  ///< of programs: "LOG"
+};
+
 /// One picture of a program, the same for every dialect: what check, coverage and planning look
 /// at.  Plain values; spans are offsets in `file`.
 ///
@@ -180,7 +186,7 @@ struct Flow {
   std::vector<Move> moves;
   std::vector<AxisTarget> axes;
   std::vector<Label> labels;  ///< in the order of their blocks
-  bool writes_files = false;  ///< and may call what it has written
+  WrittenFiles written;
 
   [[nodiscard]] std::span<const Edge> edges_of(const Block& block) const {
     return std::span(edges).subspan(block.edges.first, block.edges.count);

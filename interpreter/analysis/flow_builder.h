@@ -37,7 +37,7 @@ class FlowBuilder {
   void move(Move::Kind kind, const std::vector<AxisTarget>& axes);
   void label(std::string name) { flow_.labels.push_back({std::move(name), index()}); }
 
-  void writes_files() { flow_.writes_files = true; }
+  void writes(WrittenFiles files) { flow_.written = std::move(files); }
 
   /// The last block is whole, too.
   Flow finish();

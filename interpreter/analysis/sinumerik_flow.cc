@@ -23,8 +23,8 @@ void tell_mixed_comparisons(const sinumerik::CompiledProgram& program, Sinumerik
     const auto place = static_cast<std::size_t>(step);
     ways.blocks[ways.block_of[place]].faults.push_back(
         {Fault::Kind::Comparison, 0, program.spans[place],
-         "AND, OR and XOR bind closer than these comparisons",
-         "put each comparison in brackets: (R1 == 0) AND (R2 == 0)"});
+         "AND, OR, XOR and NOT bind closer than comparisons",
+         "put each comparison in brackets: (R1 == 0) AND (R2 == 0), NOT (R1 == 3)"});
   }
 }
 
@@ -79,9 +79,7 @@ Flow flow_of(const sinumerik::CompiledProgram& program) {
       }
     }
   }
-  if (ways.write_files) {
-    builder.writes_files();
-  }
+  builder.writes(ways.written);
   return builder.finish();
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/sinumerik_flow.h"
 #include "interpreter/dialects/sinumerik/code/callable_programs.h"
+#include "interpreter/dialects/sinumerik/code/program_name.h"
 #include "interpreter/dialects/sinumerik/code/value_limits.h"
 #include "interpreter/dialects/sinumerik/code/wrong_argument.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
@@ -16,6 +18,14 @@
 
 namespace g31::analysis {
 namespace {
+
+/// Whether a program may be one that the caller has written.
+bool may_write(const Flow& caller, std::string_view program) {
+  return caller.written.has_unknown ||
+         (!caller.written.names.empty() &&
+          std::ranges::find(caller.written.names, sinumerik::program_name(program).stem) !=
+              caller.written.names.end());
+}
 
 class SinumerikPrograms final : public ProgramSet {
  public:
@@ -211,7 +221,7 @@ std::optional<Fault> SinumerikPrograms::wrong_arguments(const Flow& caller, cons
 std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, const Call& call) {
   using sinumerik::AlarmId;
   // Where the caller and CALLPATH point decides between programs, not whether there is one.
-  if (call.target.empty() || caller.writes_files ||
+  if (call.target.empty() || may_write(caller, call.target) ||
       memory_->callable.find(call.target, {}) != nullptr) {
     return std::nullopt;
   }

@@ -11,6 +11,7 @@
 
 #include "interpreter/analysis/sinumerik_repeats.h"
 #include "interpreter/analysis/sinumerik_words.h"
+#include "interpreter/dialects/sinumerik/code/program_name.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
@@ -38,6 +39,7 @@ class WayFinder {
 
  private:
   void find_names_asked_for();
+  void find_written_files();
   void cut_into_blocks();
   void follow_block(BlockIndex index);
   void follow(StepIndex step);
@@ -342,6 +344,22 @@ void WayFinder::find_names_asked_for() {
   }
 }
 
+void WayFinder::find_written_files() {
+  constexpr std::size_t kName = 1;  // of WRITE(error,file,text)
+  for (const Op& op : program_.ops) {
+    if (!has_effect(op, sinumerik::ProcedureEffect::WritesFiles)) {
+      continue;
+    }
+    const auto& name = program_.arguments[static_cast<std::size_t>(op.b.place) + kName].value;
+    if (name.bank == Bank::Constants) {
+      const std::string& text = program_.text_constants[static_cast<std::size_t>(name.place)];
+      ways_.written.names.push_back(sinumerik::program_name(text).stem);
+    } else {
+      ways_.written.has_unknown = true;
+    }
+  }
+}
+
 SinumerikWays WayFinder::run() {
   find_names_asked_for();
   cut_into_blocks();
@@ -350,9 +368,7 @@ SinumerikWays WayFinder::run() {
     follow_block(i);
   }
   close_parts(parts_, ways_.blocks);
-  ways_.write_files = std::ranges::any_of(program_.ops, [](const Op& op) {
-    return has_effect(op, sinumerik::ProcedureEffect::WritesFiles);
-  });
+  find_written_files();
   return std::move(ways_);
 }
 

@@ -22,7 +22,7 @@ struct SinumerikBlock {
 struct SinumerikWays {
   std::vector<SinumerikBlock> blocks;
   std::vector<BlockIndex> block_of;  ///< of each step
-  bool write_files = false;
+  WrittenFiles written;
 };
 
 /// Follows the steps of a program from block to block.

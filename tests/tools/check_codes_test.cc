@@ -45,18 +45,22 @@ TEST(Check, AGCodeThatTheControlHasNotIsAWarningWhereNothingIsCalledByIt) {
   options.files = {
       folder.write("case.nc",
                    "O1\nG77 X5. Z-5.\nG37.5\nG#1\nG66 P2\nG67\nG84.3 X1. R1. Z-1. F1.\nG80\n"
-                   "G113\nG999\nG100 U1.\nM30\nO2\nM99\n")};
+                   "G113\nG999\nG100 U1.\nG659810 X1.\nM30\nO2\nM99\n")};
   options.control = "fanuc-30i";
   const std::string g37 =
       "case.nc:3:1: warning: alarm 10, G37.5, which this control has not: a run ends here [NC007]";
+  const std::string lost_p =
+      "case.nc:12:1: warning: alarm 10, G659810, which this control has not: "
+      "a run ends here [NC007]";
   EXPECT_EQ(places(checked(options).out, folder),
             (std::vector<std::string>{"case.nc:2:1: warning: alarm 10, G77, which this control has "
                                       "not: a run ends here [NC007]",
-                                      g37}))
+                                      g37, lost_p}))
       << "G100 and above are called by sheets and parameters, which are not there";
   for (const char* const sheet : {"[macro_calls]\nG77 = 2\n", "[parameters]\n6050 = 77\n"}) {
     options.setups = {folder.write("sheet.toml", sheet)};
-    EXPECT_EQ(places(checked(options).out, folder), std::vector<std::string>{g37}) << sheet;
+    EXPECT_EQ(places(checked(options).out, folder), (std::vector<std::string>{g37, lost_p}))
+        << sheet;
   }
 }
 

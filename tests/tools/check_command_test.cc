@@ -134,6 +134,27 @@ TEST(Check, ArgumentsAreHeldAgainstTheProcOfTheProgramCalled) {
             }));
 }
 
+TEST(Check, OfProgramsThatAreMissingOnlyOneThatIsWrittenMayBe) {
+  TemporaryFolder folder;
+  const std::string file = folder.write("PART.MPF",
+                                        "DEF INT FAULT\n"
+                                        "WRITE(FAULT,\"/_N_MPF_DIR/_N_LOG_MPF\",\"R1=2\")\n"
+                                        "CALL \"LOG\"\n"
+                                        "MEASUREALL\n"
+                                        "M30\n");
+  EXPECT_EQ(places(checked_files({file}).text, folder),
+            (std::vector<std::string>{
+                "PART.MPF:4:1: error: alarm 12550, name not defined or option/function not "
+                "available: MEASUREALL [NC005]",
+            }));
+  const std::string any = folder.write("ANY.MPF",
+                                       "DEF INT FAULT\n"
+                                       "WRITE(FAULT,\"LOG\"<<R1,\"R1=2\")\n"
+                                       "MEASUREALL\n"
+                                       "M30\n");
+  EXPECT_EQ(places(checked_files({any}).text, folder), std::vector<std::string>());
+}
+
 TEST(Check, ACallIsRightWhereOneOfTheProgramsOfItsNameTakesIt) {
   TemporaryFolder folder;
   std::filesystem::create_directory(folder.path("old"));
@@ -161,15 +182,25 @@ TEST(Check, ComparisonsJoinedWithoutBracketsAreTold) {
                                                          "R5=(R1==0 XOR R2==0)\n"
                                                          "GOTOF DONE\n"
                                                          "R6=(R1==0 AND R2==0)\n"
-                                                         "DONE: M30\n")});
-  EXPECT_EQ(
-      places(output.text, folder),
-      (std::vector<std::string>{
-          "CASE.MPF:2:4: warning: AND, OR and XOR bind closer than these comparisons [NC011]",
-          "CASE.MPF:3:7: warning: AND, OR and XOR bind closer than these comparisons [NC011]",
-          "CASE.MPF:10:5: warning: AND, OR and XOR bind closer than these comparisons [NC011]",
-          "CASE.MPF:12:5: warning: AND, OR and XOR bind closer than these comparisons [NC011]",
-      }));
+                                                         "DONE:\n"
+                                                         "IF R1==2 AND A GOTOF LAST\n"
+                                                         "IF NOT R1==3 GOTOF LAST\n"
+                                                         "IF A AND R1==7 GOTOF LAST\n"
+                                                         "IF NOT A==B GOTOF LAST\n"
+                                                         "IF (R1==3)==(NOT A AND B) GOTOF LAST\n"
+                                                         "IF NOT (R1==3) AND A GOTOF LAST\n"
+                                                         "IF R1 B_AND 4==4 GOTOF LAST\n"
+                                                         "LAST: M30\n")});
+  EXPECT_EQ(places(output.text, folder),
+            (std::vector<std::string>{
+                "CASE.MPF:2:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+                "CASE.MPF:3:7: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+                "CASE.MPF:10:5: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+                "CASE.MPF:12:5: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+                "CASE.MPF:14:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+                "CASE.MPF:15:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+                "CASE.MPF:16:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
+            }));
 }
 
 TEST(Check, ConstantsThatDoNotFitAreTold) {
@@ -251,10 +282,12 @@ TEST(Check, ConstantsThatDoNotFitOnAFanucAreTold) {
           "[NC002]",
           "part.nc:10:4: error: alarm 119, ILLEGAL ARGUMENT: LN of 0 [NC002]",
           "part.nc:11:5: error: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC002]",
-          "part.nc:12:4: error: alarm 3, TOO MANY DIGITS: 10 digits [NC002]",
+          "part.nc:12:4: error: alarm 3, TOO MANY DIGITS: 10 digits, the control takes 8 here "
+          "[NC002]",
           "part.nc:13:8: error: alarm 9, ILLEGAL ADDRESS INPUT: L repeats 0 to 9999 times [NC002]",
           "part.nc:14:6: error: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC002]",
-          "part.nc:15:4: error: alarm 3, TOO MANY DIGITS: 9 digits [NC002]",
+          "part.nc:15:4: error: alarm 3, TOO MANY DIGITS: 9 digits, the control takes 8 here "
+          "[NC002]",
           "part.nc:17:19: warning: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC003]",
       }));
 }

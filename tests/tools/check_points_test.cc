@@ -105,6 +105,8 @@ TEST(CheckPoints, AreOfLengthsAnglesTimesAndFeedsAlone) {
            {"G10 L99 P1 R5", {}},
            {"G84 X1. Z-2. R1. F100. J2", {}},
            {"G81 Z-2. R1. F100. K3", {}},
+           {"G81 Z-2. R1. F100.\nG91 X5. K3", {}},  // repeats of the cycle in force
+           {"G18 G3 X5. K3", {"2:12: K3" + without + "0.003 (under G20 0.0003)"}},
            {"G54.1 P5 H3 D2 S500 T4 M6", {}},
            {"G31 P1 X5. L2", {}}}) {
     EXPECT_EQ(told_of(row.block + std::string("\nY10."), ""), row.said) << row.block;

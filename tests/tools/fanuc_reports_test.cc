@@ -175,8 +175,8 @@ TEST(OverTravel, InFrontOfACornerIsToldWhereTheLegStands) {
 /// (MB-219), with its levels: the caller is shorter than the place, or longer.
 TEST(ReturnToABlock, ThatTheCallerLacksIsAnAlarmOfTheSubprogram) {
   for (const auto& [block, number, column] :
-       {std::tuple("M99P77", 60, 4), std::tuple("M99P1.5", 7, 4), std::tuple("M99P-1", 60, 4),
-        std::tuple("M99P0", 60, 4), std::tuple("/M99P77", 60, 5), std::tuple("N5M99P5", 60, 6)}) {
+       {std::tuple("M99P77", 78, 4), std::tuple("M99P1.5", 7, 4), std::tuple("M99P-1", 78, 4),
+        std::tuple("M99P0", 78, 4), std::tuple("/M99P77", 78, 5), std::tuple("N5M99P5", 78, 6)}) {
     const TemporaryFolder library;
     library.write("O0002.nc", "%\nO0002(PROBE)\n" + std::string(block) + "\n%\n");
     for (const std::string caller :

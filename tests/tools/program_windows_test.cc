@@ -149,8 +149,8 @@ TEST(ProgramWindows, AlarmsOfJumpsToNowhereAreWhereTheJumpStands) {
   }
   for (const auto& [block, alarm, column, lines_behind] :
        {Case{"GOTO22", 128, 5, 0}, Case{"GOTO[20+2]", 128, 5, 0},
-        Case{"IF[1EQ1]GOTO22", 128, 13, 0}, Case{"M99 P5", 60, 5, 0}, Case{"M98 Q7", 60, 5, 0},
-        Case{"M98 P7002", 60, 4, 3}}) {
+        Case{"IF[1EQ1]GOTO22", 128, 13, 0}, Case{"M99 P5", 78, 5, 0}, Case{"M98 Q7", 78, 5, 0},
+        Case{"M98 P7002", 78, 4, 3}}) {
     const auto run = run_text("O7001\n" + comments + block + "\nM30\nO7002\nM99P9\n");
     EXPECT_EQ(number_of_alarm(run), alarm) << block << run.errors;
     EXPECT_EQ(run.document["alarm"]["line"], 2 + kComments + lines_behind) << block;

@@ -93,7 +93,7 @@ O1
 M97 P1000
 M30
 %
-(EXPECT ALARM 60 AT 3)
+(EXPECT ALARM 78 AT 3)
 
 (CASE M96 goes on at P while the input is off)
 (SET #11008 = 1)

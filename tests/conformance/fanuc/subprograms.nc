@@ -634,3 +634,14 @@ M30
 M99
 %
 (EXPECT #100 = 1)
+
+(CASE MB-326 M99 P of a block that the caller does not have)
+(CONTROL fanuc-30i)
+%
+O1
+M98 P2
+M30
+O2
+M99 P77
+%
+(EXPECT ALARM 78 AT 7)

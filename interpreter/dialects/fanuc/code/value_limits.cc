@@ -65,13 +65,14 @@ WrongValue missing_operation(const Op& op) {
                                       info(static_cast<FunctionId>(op.function)).name)};
 }
 
-WrongValue too_many_digits(std::uint8_t digits) {
-  return {AlarmId::TooManyDigits, digit_count(digits)};
+WrongValue too_many_digits(std::uint8_t digits, int most) {
+  return {AlarmId::TooManyDigits,
+          fmt::format("{}, the control takes {} here", digit_count(digits), most)};
 }
 
 WrongValue wrong_word(char letter, double number, std::uint8_t digits, int most) {
   return digits > most
-             ? too_many_digits(digits)
+             ? too_many_digits(digits, most)
              : WrongValue{AlarmId::TooManyDigits,
                           fmt::format("{} is {:g}, beyond every address", letter, number)};
 }

@@ -71,7 +71,7 @@ inline std::optional<AlarmId> why_unwritable(const SystemVariable* row) {
 }
 
 /// Of a number that has more digits than the control takes.
-WrongValue too_many_digits(std::uint8_t digits);
+WrongValue too_many_digits(std::uint8_t digits, int most);
 
 /// No address of any control takes more (MB-032); it keeps positions and times finite, too.
 inline constexpr double kLargestWord = 999'999'999.0;

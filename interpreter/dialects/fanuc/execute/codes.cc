@@ -256,11 +256,13 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
     }
     const int axis = axis_index(letter);
     if (axis < 0 || !control.port.travel(axis)) {
-      return at_word(AlarmId::IllegalAddress, *words.find(letter),
-                     axis < 0 ? fmt::format("the machine has no axis {}", letter)
-                              : fmt::format("the machine has no axis {}: [machine.axes.{}] of the "
-                                            "set-up sheet gives it one",
-                                            letter, letter));
+      return at_word(
+          AlarmId::IllegalAddress, *words.find(letter),
+          axis < 0
+              ? fmt::format("the machine has no axis {}: a mill has X, Y, Z, A, B and C", letter)
+              : fmt::format("the machine has no axis {}: [machine.axes.{}] of the "
+                            "set-up sheet gives it one",
+                            letter, letter));
     }
   }
   return std::nullopt;

@@ -203,7 +203,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
     return std::nullopt;
   }
   if (!control.coordinates.transform().is_identity()) {
-    control.warn_once(source::DiagnosticId::SkipInTurnedPlane, block.where);
+    control.warn(source::DiagnosticId::SkipInTurnedPlane, block.where);
   }
   const AxisPositions q_L_end = programmed_end(control, block);
   const auto q_M_end = skip_end(control, block, q_L_end);

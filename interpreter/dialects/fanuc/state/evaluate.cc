@@ -239,7 +239,9 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
                  : fail(AlarmId::ExpressionFormat,
                         "AND, OR and XOR between comparisons need parameter 6006.0 = 1");
     case OpCode::DigitLimit:
-      return op.function <= rules_.digit_limit ? Cell() : fail(too_many_digits(op.function));
+      return op.function <= rules_.digit_limit
+                 ? Cell()
+                 : fail(too_many_digits(op.function, rules_.digit_limit));
     case OpCode::Modulo:
     case OpCode::And:
     case OpCode::Or:

@@ -11,8 +11,10 @@
 namespace g31::fanuc {
 
 inline constexpr int kWorkSystems = 6;  ///< G54 to G59
-/// From here on builders and shops take G codes to call macros by.
+/// From here on builders and shops take G codes to call macros by, up to what parameters 6050 to
+/// 6059 take.
 inline constexpr double kFirstCallingCode = 100.0;
+inline constexpr double kLastCallingCode = 9999.0;
 
 /// What a G code makes the control do; the interpreter has one function for each.
 enum class GAction : std::uint8_t {

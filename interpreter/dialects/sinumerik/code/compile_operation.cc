@@ -190,6 +190,7 @@ void Operations::expect_value(const Expr& expr) {
 Expr Operations::convert(Expr from, Type to, AlarmId mismatch) {
   expect_value(from);
   if (failed() || from.type == to) {
+    from.is_constant = from.is_constant && from.type == to;
     return from;
   }
   Expr result = from;
@@ -208,6 +209,7 @@ Expr Operations::convert(Expr from, Type to, AlarmId mismatch) {
   } else {
     fail(mismatch, from.where,
          std::string(name_of(from.type)) + " is no " + std::string(name_of(to)));
+    result.is_constant = false;  // callers look at the numbers of constants
   }
   return result;
 }

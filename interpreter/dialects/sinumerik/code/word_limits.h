@@ -23,8 +23,14 @@ WrongValue only_zero(Address address, double value);
 MaybeWrong wrong_alarm_number(double number);
 /// Alarms of the measuring cycles that are shown and the program goes on: oversize, undersize,
 /// permissible dimension difference exceeded (cycle manual 1486, 1512, 2492).
-constexpr bool is_shown_only(int alarm) {
+constexpr bool is_of_tolerance(int alarm) {
   return alarm >= 61304 && alarm <= 61306;
+}
+/// Alarms of programs that the operator clears before the program goes on: programs in use set them
+/// and stop with M0 behind them.  62320 to 62322 are of the measuring cycles, which they end.
+constexpr bool is_cleared_by_operator(int alarm) {
+  const bool is_of_cycles = alarm >= 62320 && alarm <= 62322;
+  return (alarm >= 62000 && alarm <= 62999 && !is_of_cycles) || (alarm >= 67000 && alarm <= 67999);
 }
 /// SETMS
 MaybeWrong wrong_master_spindle(double number);

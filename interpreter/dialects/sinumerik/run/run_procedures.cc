@@ -204,8 +204,10 @@ MaybeFailure set_alarm(Channel& channel, Operands& at, Arguments list) {
   }
   const int number = static_cast<int>(given);
   const std::string text = list.size() > 1 ? at.text(list[1].value) : std::string();
-  if (is_shown_only(number)) {
-    channel.warnings.add(channel.diagnostics, source::DiagnosticId::OutOfTolerance,
+  if (is_of_tolerance(number) || is_cleared_by_operator(number)) {
+    channel.warnings.add(channel.diagnostics,
+                         is_of_tolerance(number) ? source::DiagnosticId::OutOfTolerance
+                                                 : source::DiagnosticId::AlarmShown,
                          channel.shown_block(), fmt::format("{} {}", number, text));
     return std::nullopt;
   }

@@ -71,18 +71,21 @@ Result<double, Failure> modal_call_active(const CallStack& stack, const SystemAc
 }
 
 /// "/_N_WKS_DIR/_N_PART_WPD/" for "PART_WPD"; empty where the archive does not say.
-Result<std::string, Failure> level_path(const CallStack& stack, const SystemAccess& access) {
-  const auto which = static_cast<std::size_t>(access.indices[0]);
-  const std::string folder =
-      which <= stack.depth() ? stack.level(which).program->folder : std::string();
+std::string path_of(const std::string& folder) {
   if (folder.empty()) {
     return folder;
   }
   return (folder.ends_with("_WPD") ? "/_N_WKS_DIR/_N_" : "/_N_") + folder + "/";
 }
 
-Result<std::string, Failure> level_folder(const CallStack& stack, const SystemAccess& /*access*/) {
-  return stack.level().program->folder;
+Result<std::string, Failure> level_path(const CallStack& stack, const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  return which <= stack.depth() ? path_of(stack.level(which).program->folder) : std::string();
+}
+
+/// As programs in use have it: $P_PROGPATH<<"_N_INSPECTION_MPF" names a file beside the program.
+Result<std::string, Failure> running_path(const CallStack& stack, const SystemAccess& /*access*/) {
+  return path_of(stack.level().program->folder);
 }
 
 }  // namespace of_level
