@@ -8,13 +8,19 @@
 
 namespace g31::parts {
 
-/// Half a step of float32 at the coordinate of a mesh that is furthest out, in its own unit; 0 of
-/// one whose coordinates float32 does not hold: it is refused.
-inline double rounding_of(const Mesh& mesh) {
+/// The magnitude of the coordinate of a mesh that is furthest out, in its own unit.
+inline double furthest_of(const Mesh& mesh) {
   double furthest = 0.0;
   for (const Point& vertex : mesh.vertices) {
     furthest = std::max(furthest, vertex.cwiseAbs().maxCoeff());
   }
+  return furthest;
+}
+
+/// Half a step of float32 at the coordinate of a mesh that is furthest out, in its own unit; 0 of
+/// one whose coordinates float32 does not hold: it is refused.
+inline double rounding_of(const Mesh& mesh) {
+  const double furthest = furthest_of(mesh);
   if (!(furthest > 0.0 && furthest < static_cast<double>(std::numeric_limits<float>::max()))) {
     return 0.0;
   }

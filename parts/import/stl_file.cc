@@ -15,6 +15,7 @@
 #include "parts/import/mesh_limits.h"
 #include "parts/import/text_lines.h"
 #include "parts/import/vertex_weld.h"
+#include "parts/import/written_digits.h"
 
 namespace g31::parts {
 namespace {
@@ -87,7 +88,12 @@ class TextStl {
     while (wrong_.empty() && !next_word().empty()) {
       read_solid();
     }
-    return wrong_.empty() ? Result<Mesh, std::string>(std::move(mesh_)) : wrong_;
+    if (!wrong_.empty()) {
+      return wrong_;
+    }
+    const double furthest = furthest_of(mesh_);
+    mesh_.rounding_mm = furthest > 0.0 ? digits_.rounding_at(furthest) : 0.0;
+    return std::move(mesh_);
   }
 
  private:
@@ -131,6 +137,7 @@ class TextStl {
         return 0;
       }
       coordinate = *number;
+      digits_.take(word);
     }
     return wrong_.empty() ? weld_.vertex_at(p) : 0;
   }
@@ -173,6 +180,7 @@ class TextStl {
   Steps steps_;
   Mesh mesh_;
   VertexWeld weld_{mesh_};
+  WrittenDigits digits_;
   std::string wrong_;
 };
 

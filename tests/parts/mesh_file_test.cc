@@ -56,6 +56,27 @@ TEST_F(MeshFile, ReadsWhatWasWritten) {
   }
 }
 
+/// %g writes six digits, so 0.00005 mm are lost of 19.8451; numbers of a drawing lose nothing.
+TEST_F(MeshFile, ATextIsAsRoundedAsItsDigitsSay) {
+  struct Case {
+    const char* first;
+    const char* second;
+    double rounding_mm;
+  };
+  for (const Case& c :
+       {Case{"19.8451", "5.13515", 5e-5}, Case{"19.845124", "5.135150", 5e-7},
+        Case{"1.984512e+01", "5.135150e+00", 5e-6}, Case{"50", "12.5", 0.0},
+        Case{"50.0000", "12.3450", 0.0}, Case{"0.0625", "150.5", 0.0},
+        Case{"150.123", "5.13515", 2.5e-4}, Case{"19.845123456789013", "1", 5e-16}}) {
+    SCOPED_TRACE(c.first);
+    const std::string facet = std::string("facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex ") +
+                              c.first + " 0 0\nvertex 0 -" + c.second + " 0\nendloop\nendfacet\n";
+    const auto read = read_mesh_file(write("digits.stl", "solid a\n" + facet + "endsolid a\n"));
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_NEAR(read.value().rounding_mm, c.rounding_mm, 1e-9 * c.rounding_mm);
+  }
+}
+
 TEST_F(MeshFile, AppliesTheTransformOfA3mfItem) {
   const auto read = read_mesh_file(write("moved.3mf", corner_3mf()));
   ASSERT_TRUE(read.ok()) << read.error();

@@ -82,6 +82,13 @@ TEST(Expectations, OfASheetHoldOrFailEachWithItsPlace) {
   }
 }
 
+/// 1.5 inches are 38.1 mm, and 38.099999999999994 as a product of doubles.
+TEST(Expectations, OfOneNumberAreMetByItsLastDigits) {
+  const std::string program = "O1\nG20\nG10 L2 P2 X1.5\nM30\n";
+  EXPECT_EQ(run_with(program, "[expect.work_offsets.G55]\nX = 38.1\n").exit_code, 0);
+  EXPECT_EQ(run_with(program, "[expect.work_offsets.G55]\nX = 38.1000000001\n").exit_code, 1);
+}
+
 TEST(Expectations, OfAnEndMakeItsExitCode) {
   const char* const kAlarm = "O1\n#3000=160(DATA EMPTY)\nM30\n";
   const struct {

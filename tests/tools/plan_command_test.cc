@@ -1,9 +1,11 @@
 // `g31 plan`: from the case study's model to a program that has run on it, in every dialect.
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
@@ -104,6 +106,65 @@ TEST_F(Plan, ItsProgramRunsOnEveryControlAndItsValuesAreThoseOfTheModel) {
         testing::g31({"judge", out("plan.json"), folder_.write("results.txt", run.printed)});
     EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.errors;
     EXPECT_NE(judged.out.find("29 of 29 good"), std::string::npos);
+  }
+}
+
+/// A block with a pocket of 40, 24 and 9 mm that is turned, as a text whose numbers are cut.
+std::string turned_pocket(double degrees, const char* number) {
+  const double cosine = std::cos(degrees * std::numbers::pi / 180.0);
+  const double sine = std::sin(degrees * std::numbers::pi / 180.0);
+  constexpr double kOutside[4][2] = {{50, -40}, {50, 40}, {-50, 40}, {-50, -40}};
+  constexpr double kInside[4][2] = {{20, -12}, {20, 12}, {-20, 12}, {-20, -12}};
+  std::string text = "solid a\n";
+  const auto vertex = [&](const double(&ring)[4][2], std::size_t i, double z) {
+    const double x = ring[i % 4][0];
+    const double y = ring[i % 4][1];
+    const bool is_turned = &ring == &kInside;
+    const double at[] = {is_turned ? 5.0 + x * cosine - y * sine : x,
+                         is_turned ? -3.0 + x * sine + y * cosine : y, z};
+    std::string line = "vertex";
+    for (const double coordinate : at) {
+      line += " " + fmt::format(fmt::runtime(number), coordinate);
+    }
+    return line + "\n";
+  };
+  const auto quadrangle = [&](const std::array<std::string, 4>& corners) {
+    for (const std::size_t third : {2U, 3U}) {
+      text += "facet normal 0 0 0\nouter loop\n" + corners[0] + corners[third - 1] +
+              corners[third] + "endloop\nendfacet\n";
+    }
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    quadrangle({vertex(kInside, i, 30), vertex(kOutside, i, 30), vertex(kOutside, i + 1, 30),
+                vertex(kInside, i + 1, 30)});
+    quadrangle({vertex(kOutside, i, 0), vertex(kOutside, i + 1, 0), vertex(kOutside, i + 1, 30),
+                vertex(kOutside, i, 30)});
+    quadrangle({vertex(kInside, i + 1, 21), vertex(kInside, i, 21), vertex(kInside, i, 30),
+                vertex(kInside, i + 1, 30)});
+  }
+  quadrangle({vertex(kInside, 0, 21), vertex(kInside, 1, 21), vertex(kInside, 2, 21),
+              vertex(kInside, 3, 21)});
+  quadrangle({vertex(kOutside, 3, 0), vertex(kOutside, 2, 0), vertex(kOutside, 1, 0),
+              vertex(kOutside, 0, 0)});
+  return text + "endsolid a\n";
+}
+
+TEST_F(Plan, WallsOfATextWithCutNumbersStandAtRightAngles) {
+  for (const char* number : {"{:g}", "{:.4f}", "{:e}", "{:.6f}"}) {
+    for (const double degrees : {5.0, 20.0}) {
+      SCOPED_TRACE(fmt::format("{} {}", number, degrees));
+      const std::string part = folder_.write("turned.stl", turned_pocket(degrees, number));
+      const CommandOutput output = plan({part, "--stock", "box", "--tolerance", "0.01"});
+      ASSERT_EQ(output.exit_code, 0) << output.out << output.errors;
+      std::map<std::string, double> nominals;
+      const json measures = document().at("measures");
+      for (const json& measure : measures) {
+        nominals[measure.at("id")] = measure.at("nominal");
+      }
+      EXPECT_NEAR(nominals["F1.X"], 40.0, 2e-4);
+      EXPECT_NEAR(nominals["F1.Y"], 24.0, 2e-4);
+      EXPECT_NEAR(nominals["F1.Z"], 9.0, 1e-4);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -47,8 +48,11 @@ std::string shown(const Within& within) {
                                 : fmt::format("{}", within.value);
 }
 
+/// A number without a tolerance is met by the last digits, too: 1.5 inches are 38.099999999999994.
 bool is_within(double number, const Within& within) {
-  return std::abs(number - within.value) <= within.tolerance * (1.0 + kLimitSlack);
+  constexpr double kLastDigits = 4.0 * std::numeric_limits<double>::epsilon();
+  return std::abs(number - within.value) <=
+         within.tolerance * (1.0 + kLimitSlack) + kLastDigits * std::abs(within.value);
 }
 
 bool agrees(const ShownValue& got, const ExpectedValue& expected) {
