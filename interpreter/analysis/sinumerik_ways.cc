@@ -38,6 +38,15 @@ class WayFinder {
   SinumerikWays run();
 
  private:
+  /// A text that is known without a run; nullptr: only a run knows it.
+  [[nodiscard]] const std::string* known_text(sinumerik::Operand text) const {
+    return text.bank == Bank::Constants
+               ? &program_.text_constants[static_cast<std::size_t>(text.place)]
+               : nullptr;
+  }
+  [[nodiscard]] const std::string* known_argument(const Op& of, std::size_t index) const {
+    return known_text(program_.arguments[static_cast<std::size_t>(of.b.place) + index].value);
+  }
   void find_names_asked_for();
   void find_written_files();
   void cut_into_blocks();
@@ -322,8 +331,8 @@ void WayFinder::call(const sinumerik::CallSite& site, syntax::ShortSpan where) {
   made.where = where;
   made.target = site.name;
   made.by_text = site.name.empty();
-  if (site.name.empty() && site.text.bank == Bank::Constants) {
-    made.target = program_.text_constants[static_cast<std::size_t>(site.text.place)];
+  if (const std::string* const text = made.by_text ? known_text(site.text) : nullptr) {
+    made.target = *text;
   }
   now().calls.push_back(std::move(made));
 }
@@ -336,10 +345,8 @@ void WayFinder::find_names_asked_for() {
     if (!asks) {
       continue;
     }
-    const auto& name = program_.arguments[static_cast<std::size_t>(op.b.place)].value;
-    if (name.bank == Bank::Constants) {
-      const std::string& text = program_.text_constants[static_cast<std::size_t>(name.place)];
-      asked_for_.insert(sinumerik::upper(text.substr(0, text.find('['))));
+    if (const std::string* const text = known_argument(op, 0)) {
+      asked_for_.insert(sinumerik::upper(text->substr(0, text->find('['))));
     }
   }
 }
@@ -350,10 +357,8 @@ void WayFinder::find_written_files() {
     if (!has_effect(op, sinumerik::ProcedureEffect::WritesFiles)) {
       continue;
     }
-    const auto& name = program_.arguments[static_cast<std::size_t>(op.b.place) + kName].value;
-    if (name.bank == Bank::Constants) {
-      const std::string& text = program_.text_constants[static_cast<std::size_t>(name.place)];
-      ways_.written.names.push_back(sinumerik::program_name(text).stem);
+    if (const std::string* const name = known_argument(op, kName)) {
+      ways_.written.names.push_back(sinumerik::program_name(*name).stem);
     } else {
       ways_.written.has_unknown = true;
     }

@@ -121,11 +121,17 @@ bool is_packed(std::string_view beginning) {
          });
 }
 
+double mm_of(std::string_view unit) {
+  const auto* const row = std::ranges::find(kMeshUnits, unit, &MeshUnit::name);
+  G31_EXPECTS(row != std::end(kMeshUnits));
+  return row->mm;
+}
+
 /// What stands between a file and its mesh.
 class FileReader {
  public:
-  FileReader(const std::string& path, const GoesOn& goes_on)
-      : path_(path), goes_on_(goes_on), file_(path, std::ios::binary) {
+  FileReader(const std::string& path, const MeshFileReading& how)
+      : path_(path), how_(how), goes_on_(how.goes_on), file_(path, std::ios::binary) {
     std::error_code error;
     size_ = std::filesystem::file_size(path, error);
     is_open_ = file_.good() && !error;
@@ -172,7 +178,8 @@ class FileReader {
       return std::string("it cannot be read to its end");
     }
     if (kind == MeshKind::Stl) {
-      return read_text_stl(bytes, goes_on_);
+      return read_text_stl(bytes, (how_.unit.empty() ? 1.0 : mm_of(how_.unit)) * how_.scale,
+                           goes_on_);
     }
     if (auto wrong = why_not_whole(kind, bytes)) {
       return *std::move(wrong);
@@ -209,6 +216,7 @@ class FileReader {
   }
 
   const std::string& path_;
+  const MeshFileReading& how_;
   const GoesOn& goes_on_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
@@ -216,15 +224,9 @@ class FileReader {
   std::optional<double> unit_mm_;
 };
 
-double mm_of(std::string_view unit) {
-  const auto* const row = std::ranges::find(kMeshUnits, unit, &MeshUnit::name);
-  G31_EXPECTS(row != std::end(kMeshUnits));
-  return row->mm;
-}
-
 Read read_in_mm(const std::string& path, const MeshFileReading& how) {
   const bool is_step = is_step_file(path);
-  FileReader reader(path, how.goes_on);
+  FileReader reader(path, how);
   Read read = is_step ? read_step_file(path, how.step_sagitta_mm, how.goes_on) : reader.read();
   if (!read) {
     return read;

@@ -81,8 +81,8 @@ void add_facets(std::string_view bytes, VertexWeld& weld, Mesh& mesh) {
 /// The grammar of the text form, word by word.
 class TextStl {
  public:
-  TextStl(std::string_view text, const GoesOn& goes_on)
-      : text_(text), rest_(text), steps_(goes_on) {}
+  TextStl(std::string_view text, double mm_per_unit, const GoesOn& goes_on)
+      : text_(text), rest_(text), mm_per_unit_(mm_per_unit), steps_(goes_on) {}
 
   Result<Mesh, std::string> read() {
     while (wrong_.empty() && !next_word().empty()) {
@@ -91,8 +91,11 @@ class TextStl {
     if (!wrong_.empty()) {
       return wrong_;
     }
+    // Nobody knows whether digits were cut off: not so much that a run would warn of it.
+    constexpr double kMostMm = 0.00025;
     const double furthest = furthest_of(mesh_);
-    mesh_.rounding_mm = furthest > 0.0 ? digits_.rounding_at(furthest) : 0.0;
+    mesh_.rounding_mm =
+        furthest > 0.0 ? std::min(kMostMm / mm_per_unit_, digits_.rounding_at(furthest)) : 0.0;
     return std::move(mesh_);
   }
 
@@ -177,6 +180,7 @@ class TextStl {
 
   std::string_view text_;
   std::string_view rest_;
+  double mm_per_unit_;
   Steps steps_;
   Mesh mesh_;
   VertexWeld weld_{mesh_};
@@ -232,8 +236,9 @@ Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size
   return mesh;
 }
 
-Result<Mesh, std::string> read_text_stl(std::string_view text, const GoesOn& goes_on) {
-  return TextStl(text, goes_on).read();
+Result<Mesh, std::string> read_text_stl(std::string_view text, double mm_per_unit,
+                                        const GoesOn& goes_on) {
+  return TextStl(text, mm_per_unit, goes_on).read();
 }
 
 }  // namespace g31::parts

@@ -23,10 +23,13 @@ bool is_binary_stl(std::string_view beginning, std::uint64_t size);
 Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size,
                                           const GoesOn& goes_on = {});
 
-/// Reads the text form: solid, facets, endsolid, and again.  Numbers become double as they stand.
+/// Reads the text form: solid, facets, endsolid, and again.  Numbers become double as they stand;
+/// how far they are rounded their digits say.
 ///
+/// @param mm_per_unit  > 0: what the numbers count
 /// Error: without the path, with the line: cut off, a word that does not belong there, a number
 /// that is none.
-Result<Mesh, std::string> read_text_stl(std::string_view text, const GoesOn& goes_on = {});
+Result<Mesh, std::string> read_text_stl(std::string_view text, double mm_per_unit,
+                                        const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

@@ -39,18 +39,16 @@ class WrittenDigits {
 
   /// Half a unit of the last place at the coordinate that is furthest out; 0: of so few digits that
   /// they are more likely those of a drawing.
-  /// @param furthest  > 0, the magnitude of that coordinate
+  /// @param furthest  > 0 and finite, the magnitude of that coordinate
   [[nodiscard]] double rounding_at(double furthest) const {
     constexpr int kLeastSignificant = 6;  // as many as %g writes
     constexpr int kLeastDecimals = 4;
-    // Nobody knows whether digits were cut off: not so much that a run would warn of it.
-    constexpr double kMost = 0.00025;
     if (significant_ < kLeastSignificant || decimals_ < kLeastDecimals) {
       return 0.0;
     }
     const int before_point = static_cast<int>(std::floor(std::log10(furthest))) + 1;
     const int places = std::min(decimals_, significant_ - before_point);
-    return std::min(kMost, 0.5 * std::pow(10.0, -places));
+    return 0.5 * std::pow(10.0, -places);
   }
 
  private:

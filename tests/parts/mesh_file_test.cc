@@ -77,6 +77,20 @@ TEST_F(MeshFile, ATextIsAsRoundedAsItsDigitsSay) {
   }
 }
 
+/// Six digits of 150.123 inches end at 0.0005 inches, which is beyond the 0.00025 mm that a text is
+/// held to be rounded at most.
+TEST_F(MeshFile, ATextInInchesIsNoMoreRoundedThanOneInMillimetres) {
+  const std::string path = write("inches.stl",
+                                 "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
+                                 "vertex 150.123 0 0\nvertex 0 -5.13515 0\nendloop\nendfacet\n"
+                                 "endsolid a\n");
+  MeshFileReading how;
+  how.unit = "inch";
+  const auto read = read_mesh_file(path, how);
+  ASSERT_TRUE(read.ok()) << read.error();
+  EXPECT_NEAR(read.value().rounding_mm, 0.00025, 1e-12);
+}
+
 TEST_F(MeshFile, AppliesTheTransformOfA3mfItem) {
   const auto read = read_mesh_file(write("moved.3mf", corner_3mf()));
   ASSERT_TRUE(read.ok()) << read.error();
