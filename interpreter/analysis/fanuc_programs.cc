@@ -158,7 +158,7 @@ std::set<int> called_codes(const runtime::ControlSetup& setup) {
   for (const auto& [name, value] : setup.parameters) {
     const int number = number_in(name);
     if (number >= calls.first && number <= calls.last) {
-      codes.insert(static_cast<int>(value));
+      codes.insert(fanuc::nearest_integer(value));
     }
   }
   return codes;

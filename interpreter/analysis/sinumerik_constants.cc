@@ -179,9 +179,12 @@ WrongStep SinumerikConstants::passes(const Op& step) const {
   return given ? sinumerik::wrong_passes(*given) : std::nullopt;
 }
 
-/// SETAL and SETMS.
+/// SETAL and SETMS, and what stands in synchronised actions alone: their steps are not among these.
 WrongStep SinumerikConstants::procedure(const Op& step) const {
   const auto id = static_cast<sinumerik::ProcedureId>(step.detail);
+  if (sinumerik::belongs_to_action(id)) {
+    return sinumerik::outside_of_action(id);
+  }
   const auto given = step.count > 0
                          ? number(program_.arguments[static_cast<std::size_t>(step.b.place)].value)
                          : std::nullopt;

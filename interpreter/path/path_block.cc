@@ -1,5 +1,6 @@
 #include "interpreter/path/path_block.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,6 +37,14 @@ double sweep_rad(const PlaneWay& way) {
   const double left = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
   const double sweep = way.arc->turn == machine::Turn::Counterclockwise ? left : -left;
   return sweep > 0.0 ? sweep : sweep + kFullRad;
+}
+
+int chords_of(double sweep_rad, double radius_mm, double error_mm) {
+  constexpr double kMost = 1e7;
+  // radius (1 - cos(step / 2)) = error, by the half angle, for 1 - error / radius may be 1
+  const double step = 4.0 * std::asin(std::sqrt(0.5 * std::min(1.0, error_mm / radius_mm)));
+  const double chords = std::ceil(std::abs(sweep_rad) / step);
+  return chords >= 1.0 ? static_cast<int>(std::min(chords, kMost)) : 1;
 }
 
 }  // namespace g31::path

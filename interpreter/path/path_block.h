@@ -65,6 +65,10 @@ PlanePoint direction_at_end(const PlaneWay& way);
 /// The angle an arc turns through, rad, in (0, 2 pi]; 0 for a straight way.
 double sweep_rad(const PlaneWay& way);
 
+/// In how many chords an arc is travelled, none of them further than `error_mm` from it: from 1 to
+/// ten million.
+int chords_of(double sweep_rad, double radius_mm, double error_mm);
+
 /// One block of motion: as it is programmed, or as the compensation gives it to the machine.  Where
 /// a transformation leads the axes (Outlet::lead_by), its places are in base coordinates.
 struct PathBlock {

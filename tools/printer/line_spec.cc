@@ -47,10 +47,6 @@ std::optional<int> one_of(std::string_view text, int low, int high) {
 
 }  // namespace
 
-std::span<const int> baud_rates() {
-  return kRates;
-}
-
 bool names_a_line(std::string_view text) {
   return text.find(',') != std::string_view::npos;
 }

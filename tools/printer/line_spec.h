@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,9 +17,6 @@ struct LineSpec {
   int data_bits = 7;  ///< 7 or 8, without the parity bit
   int stop_bits = 2;  ///< 1 or 2
 };
-
-/// Rates that the reader/puncher ports of the controls know, and the usual faster ones; rising.
-std::span<const int> baud_rates();
 
 /// Whether text is meant as a serial line and not as a file: it has a comma.
 bool names_a_line(std::string_view text);

@@ -349,3 +349,23 @@ M30
 (EXPECT #102 = VACANT)
 (EXPECT #103 = 1)
 (EXPECT #109 = VACANT)
+
+(CASE the end stands among other M codes)
+(CONTROL fanuc-30i)
+%
+O1
+#101=1
+M30 M05
+#101=2
+%
+(EXPECT #101 = 1)
+(EXPECT COMPLETED)
+
+(CASE so does a stop)
+(CONTROL fanuc-30i)
+%
+O1
+M00 M05
+M30
+%
+(EXPECT STOP "M00")

@@ -645,3 +645,14 @@ O2
 M99 P77
 %
 (EXPECT ALARM 78 AT 7)
+
+(CASE Q of M98 is a whole number, as P)
+(CONTROL fanuc-30i)
+%
+O1
+M98 P2 Q3.7
+M30
+O2
+N4 M99
+%
+(EXPECT ALARM 7 AT 4)

@@ -83,35 +83,22 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
   move.q_M_end = approach.at(approach.zone);
   move.traverse = machine::Traverse::Feed;
   move.feed_mm_min = approach.feed_mm_min;
-  const auto outcome = control.outlet.move_until_skip(move, block.where);
-  control.coordinates.arrived_at_machine(control.port.position());
-  if (!outcome) {
-    return from_fault(outcome.error());
+  const auto q_M_latched = move_and_latch(control, block, move);
+  if (!q_M_latched) {
+    return q_M_latched.error();
   }
-  runtime::TouchEvent event;
-  event.block = "G37";
-  event.where = block.where;
-  event.q_M_commanded = move.q_M_end;
-  event.q_M_latched = control.port.position();
-  event.q_M_stopped = control.port.position();
-  event.feed_mm_min = move.feed_mm_min;
-  event.triggered = !std::holds_alternative<machine::NoTouch>(outcome.value());
-  if (const auto* const touched = std::get_if<machine::Touched>(&outcome.value())) {
-    event.q_M_latched = touched->q_M_latched;
-    event.q_M_stopped = touched->q_M_stopped;
-    event.contact = touched->contact;
-  }
-  control.outlet.touched(event);
-  if (!event.triggered) {
+  if (!q_M_latched.value()) {
+    control.coordinates.arrived_at_machine(control.port.position());
     return block_failure(AlarmId::NoArrivalSignal, "no signal came");
   }
-  const double off = event.q_M_latched[approach.axis] - approach.q_M_nominal[approach.axis];
+  const AxisPositions& q_M = *q_M_latched.value();
+  const double off = q_M[approach.axis] - approach.q_M_nominal[approach.axis];
   if (std::abs(off) > approach.zone) {
     return block_failure(
         AlarmId::NoArrivalSignal,
         fmt::format("the signal came {:.4f} mm before the position", std::abs(off)));
   }
-  return event.q_M_latched;
+  return q_M;
 }
 
 }  // namespace

@@ -49,7 +49,6 @@ MaybeFailure NcBlocks::run(const Step& step) {
 
 /// A block that calls nothing; its motion may set off a modal call.
 MaybeFailure NcBlocks::plain_block(source::Location where) {
-  const EvaluatedWord* const m = running_.words().find('M');
   if (auto failure = execute_words(control_, running_.words(), where)) {
     return failure;
   }
@@ -57,14 +56,29 @@ MaybeFailure NcBlocks::plain_block(source::Location where) {
   if (auto failure = skip_check(where)) {
     return failure;
   }
-  const int code = m != nullptr ? nearest_integer(m->number) : -1;
-  if (code == kKeyPrompt && control_.profile.asks_for_keys) {
-    if (auto failure = ask_for_key(where)) {
+  if (running_.words().has('M')) {
+    if (auto failure = program_codes(where)) {
       return failure;
     }
   }
-  stop_program(code, where);
   return stack_.frame().modal_calls.empty() ? std::nullopt : macros_.modal_call();
+}
+
+/// M codes that stop or end the program, and M109: each one of the block.
+MaybeFailure NcBlocks::program_codes(source::Location where) {
+  for (const EvaluatedWord& word : running_.words().all()) {
+    if (word.letter != 'M') {
+      continue;
+    }
+    const int code = nearest_integer(word.number);
+    if (code == kKeyPrompt && control_.profile.asks_for_keys) {
+      if (auto failure = ask_for_key(where)) {
+        return failure;
+      }
+    }
+    stop_program(code, where);
+  }
+  return std::nullopt;
 }
 
 /// M78 and M79 of a Haas: what the skip move of their block must come to.

@@ -22,6 +22,7 @@ class NcBlocks {
   [[nodiscard]] MaybeFailure skip_check(source::Location where);
   [[nodiscard]] MaybeFailure ask_for_key(source::Location where);
   [[nodiscard]] std::string prompt() const;
+  MaybeFailure program_codes(source::Location where);
   void stop_program(int m, source::Location where);
 
   CallStack& stack_;

@@ -50,7 +50,11 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
     }
   }
   if (q != nullptr) {
-    const auto found = entry.program->find_label(nearest_integer(q->number), 0);
+    const auto sequence = integer_of(*q);
+    if (!sequence) {
+      return sequence.error();
+    }
+    const auto found = entry.program->find_label(sequence.value(), 0);
     if (!found) {
       return at_word(AlarmId::SequenceNotFound, *q, fmt::format("no N{}", q->number));
     }

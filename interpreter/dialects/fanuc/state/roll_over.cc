@@ -2,18 +2,16 @@
 
 #include <cmath>
 
+#include "machine/units/within_turn.h"
+
 namespace g31::fanuc {
 namespace {
+
+using machine::within_turn;
 
 constexpr double kWholeTurn = 360.0;
 /// Places are the same within it: what is left of sums of degrees.
 constexpr double kSamePlace = 1e-9;
-
-/// The angle from 0 to below 360.
-double within_turn(double degrees) {
-  const double rest = degrees - kWholeTurn * std::floor(degrees / kWholeTurn);
-  return kWholeTurn - rest < kSamePlace ? 0.0 : rest;
-}
 
 }  // namespace
 

@@ -112,12 +112,12 @@ void CallStatements::mcall_statement() {
   call(site, name.where);
 }
 
-/// RET, RET(target, behind, levels): back to the caller or one further out, there to a label or
-/// block number, or behind it.
+/// RET, RET(target, behind, levels, from start): back to the caller or one further out, there to a
+/// label or block number, or behind it.
 void CallStatements::ret_statement() {
   std::vector<Argument> list;
   if (cursor_.accept(Symbol::LeftParen)) {
-    list = argument_list();
+    list = expressions_.arguments("tiii", "RET");
   }
   return_to(list);
 }
@@ -129,9 +129,7 @@ void CallStatements::endproc_statement() {
 
 void CallStatements::return_to(const std::vector<Argument>& list) {
   expect_end();
-  if (list.size() > 4) {
-    fail(AlarmId::ArgumentCount, list[4].where, "RET");
-  } else if (list.size() == 4 && list[3].form != Argument::Form::Omitted) {
+  if (list.size() == 4 && list[3].form != Argument::Form::Omitted) {
     fail(AlarmId::NotImplemented, list[3].where, "RET to the start of the program");
   }
   if (failed()) {
@@ -145,34 +143,10 @@ void CallStatements::return_to(const std::vector<Argument>& list) {
 void CallStatements::procedure(ProcedureId id, ShortSpan where) {
   const ProcedureInfo& row = procedures()[static_cast<std::size_t>(id)];
   std::vector<Argument> list;
-  const bool bracket = cursor_.accept(Symbol::LeftParen);
-  const bool empty = !bracket || cursor_.accept(Symbol::RightParen);
-  for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
-    const char kind = row.parameters[i];
-    const bool is_optional = (kind >= 'a' && kind <= 'z') || kind == '*';
-    if (empty || cursor_.peek().is(Symbol::RightParen)) {
-      if (!is_optional) {
-        fail(AlarmId::ArgumentCount, where, std::string(row.name));
-      }
-      break;
-    }
-    if (!list.empty()) {
-      expect(Symbol::Comma);
-    }
-    if ((kind == 'o' || kind == 'm') &&
-        (cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen))) {
-      list.emplace_back();
-    } else {
-      expressions_.function_argument(kind == 'o' ? '*' : kind == 'm' ? 'n' : kind, list);
-    }
-    i -= kind == '*' || kind == 'o' ? 1 : 0;  // any more of them
-    if (!failed() && !is_taken_by(kind, list.back())) {
-      fail(AlarmId::ReferenceMissing, where, std::string(row.name));
-    }
-  }
-  if (!empty && !cursor_.accept(Symbol::RightParen)) {
-    fail(cursor_.peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText,
-         cursor_.peek().where, std::string(row.name));
+  if (cursor_.accept(Symbol::LeftParen)) {
+    list = expressions_.arguments(row.parameters, row.name);
+  } else if (!row.parameters.empty() && !may_be_missing(row.parameters.front())) {
+    fail(AlarmId::ArgumentCount, where, std::string(row.name));
   }
   const std::uint32_t first = keep_arguments(list);
   code_.emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);

@@ -4,7 +4,18 @@
 #include "interpreter/dialects/sinumerik/code/expressions.h"
 
 namespace g31::sinumerik {
+namespace {
 
+bool is_repeated(char kind) {
+  return kind == '*' || kind == 'o' || kind == '#';
+}
+
+/// With another argument behind it.
+bool may_stand_empty(char kind) {
+  return kind == 'o' || kind == 'm' || kind == 'i' || kind == 't';
+}
+
+/// Whether an argument is the variable that its parameter wants.
 bool is_taken_by(char kind, const Argument& argument) {
   const bool is_element = argument.form == Argument::Form::Element;
   const bool is_whole = argument.form == Argument::Form::Whole;
@@ -12,6 +23,12 @@ bool is_taken_by(char kind, const Argument& argument) {
          : kind == 'M' ? is_whole && argument.type == Type::Real
          : kind == 'W' ? (is_element || is_whole) && argument.type == Type::String
                        : true;
+}
+
+}  // namespace
+
+bool may_be_missing(char kind) {
+  return (kind >= 'a' && kind <= 'z') || kind == '*' || kind == '#';
 }
 
 Expr Expressions::plain_mathematics(FunctionId id, ShortSpan where) {
@@ -45,31 +62,10 @@ Expr Expressions::call_function(FunctionId id, ShortSpan where) {
   }
   const FunctionInfo& row = info(id);
   expect(Symbol::LeftParen);
-  std::vector<Argument> list;
-  for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
-    const char kind = row.parameters[i];
-    if (cursor_.peek().is(Symbol::RightParen)) {
-      if (kind != '*' && kind >= 'A' && kind <= 'Z') {
-        fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(row.name));
-      }
-      break;
-    }
-    if (!list.empty()) {
-      expect(Symbol::Comma);
-    }
-    function_argument(kind, list);
-    i -= kind == '*' ? 1 : 0;  // any more of them
-    if (!failed() && !is_taken_by(kind, list.back())) {
-      fail(AlarmId::ReferenceMissing, list.back().where, std::string(row.name));
-    }
-  }
+  const std::vector<Argument> list = arguments(row.parameters, row.name);
   Expr result;
   result.type = row.result;
-  result.where = joined(where, cursor_.peek().where);
-  if (!cursor_.accept(Symbol::RightParen)) {
-    fail(cursor_.peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText,
-         cursor_.peek().where, std::string(row.name));
-  }
+  result.where = joined(where, cursor_.previous().where);
   result.value = temporary(result.type);
   const std::uint32_t first = keep_arguments(list);
   code_.emit(OpCode::Function, result.value, {},
@@ -79,14 +75,46 @@ Expr Expressions::call_function(FunctionId id, ShortSpan where) {
   return result;
 }
 
-void Expressions::function_argument(char kind, std::vector<Argument>& list) {
+std::vector<Argument> Expressions::arguments(std::string_view parameters, std::string_view name) {
+  std::vector<Argument> list;
+  for (std::size_t i = 0; i < parameters.size() && !failed();) {
+    const char kind = parameters[i];
+    if (cursor_.peek().is(Symbol::RightParen)) {
+      if (!may_be_missing(kind)) {
+        fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(name));
+      }
+      break;
+    }
+    if (!list.empty()) {
+      expect(Symbol::Comma);
+    }
+    list.push_back(argument(kind));
+    if (!failed() && !is_taken_by(kind, list.back())) {
+      fail(AlarmId::ReferenceMissing, list.back().where, std::string(name));
+    }
+    i += is_repeated(kind) ? 0U : 1U;
+  }
+  if (!failed() && !cursor_.accept(Symbol::RightParen)) {
+    fail(cursor_.peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText,
+         cursor_.peek().where, std::string(name));
+  }
+  return list;
+}
+
+/// An argument of a function or procedure.  @param kind  see functions.def
+Argument Expressions::argument(char kind) {
+  if (may_stand_empty(kind) &&
+      (cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen))) {
+    return {};
+  }
   Expr value = expression();
   if (failed()) {
-    return;
+    return {};
   }
   switch (kind) {
     case 'N':
     case 'n':
+    case 'm':
       value = operations_.convert(std::move(value), Type::Real, AlarmId::BadArguments);
       break;
     case 'S':
@@ -100,10 +128,19 @@ void Expressions::function_argument(char kind, std::vector<Argument>& list) {
     case 'F':
       value = operations_.convert(std::move(value), Type::Frame, AlarmId::BadArguments);
       break;
-    default:  // V keeps its variable, * any type
+    case '#':
+    case 'i':
+      value = operations_.convert(std::move(value), Type::Int, AlarmId::BadArguments);
+      break;
+    case 't':
+      if (value.type != Type::String) {
+        value = operations_.convert(std::move(value), Type::Int, AlarmId::BadArguments);
+      }
+      break;
+    default:  // V keeps its variable, * and o any type
       break;
   }
-  list.push_back(argument_of(value));
+  return argument_of(value);
 }
 
 }  // namespace g31::sinumerik

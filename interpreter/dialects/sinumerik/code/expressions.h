@@ -29,8 +29,9 @@ class Expressions : private BlockPart {
   /// Without operators of two operands.
   Expr unary();
   Expr primary();
-  /// An argument of a function or procedure.  @param kind  see functions.def
-  void function_argument(char kind, std::vector<Argument>& list);
+  /// Those of a function, a procedure or RET, behind the opening bracket and with the closing one.
+  /// @param parameters  see functions.def and procedures.def
+  std::vector<Argument> arguments(std::string_view parameters, std::string_view name);
 
   [[nodiscard]] Operations& operations() { return operations_; }
   [[nodiscard]] Accesses& accesses() { return accesses_; }
@@ -40,6 +41,7 @@ class Expressions : private BlockPart {
   Expr name_in_expression();
   Expr letter_in_expression();
   Expr axis_of_data(const Token& name);
+  Argument argument(char kind);
   Expr call_function(FunctionId id, ShortSpan where);
   Expr plain_mathematics(FunctionId id, ShortSpan where);
 
@@ -51,8 +53,7 @@ class Expressions : private BlockPart {
   int depth_ = 0;  ///< of brackets and signs
 };
 
-/// Whether an argument is the variable that its parameter wants; see functions.def and
-/// procedures.def.
-bool is_taken_by(char kind, const Argument& argument);
+/// Whether a list may end before a parameter.  @param kind  see functions.def and procedures.def
+bool may_be_missing(char kind);
 
 }  // namespace g31::sinumerik

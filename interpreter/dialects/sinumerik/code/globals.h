@@ -31,7 +31,6 @@ class Globals {
   const Variable* define(const Variable& variable);
 
   [[nodiscard]] std::span<const Variable> variables() const { return variables_; }
-  [[nodiscard]] const Variable& r_parameters() const { return variables_.front(); }
   [[nodiscard]] const std::vector<double>& initial_numbers() const { return numbers_; }
   [[nodiscard]] std::int32_t text_count() const { return text_count_; }
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }

@@ -63,6 +63,11 @@ MaybeWrong wrong_action_number(double number) {
              : std::nullopt;
 }
 
+WrongValue outside_of_action(ProcedureId id) {
+  return {AlarmId::SyntaxInText, fmt::format("{} stands in synchronised actions",
+                                             procedures()[static_cast<std::size_t>(id)].name)};
+}
+
 MaybeWrong wrong_tool(double number) {
   constexpr double kMost = 1e8;
   return is_none_of(number, 0.0, kMost) ? wrong(AlarmId::BadTNumber, fmt::format("T{}", number))

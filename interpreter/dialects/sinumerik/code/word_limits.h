@@ -36,6 +36,12 @@ constexpr bool is_cleared_by_operator(int alarm) {
 MaybeWrong wrong_master_spindle(double number);
 /// ID of a synchronised action
 MaybeWrong wrong_action_number(double number);
+/// LOCK, UNLOCK and RDISABLE stand behind DO alone.
+constexpr bool belongs_to_action(ProcedureId id) {
+  return id == ProcedureId::LOCK || id == ProcedureId::UNLOCK || id == ProcedureId::RDISABLE;
+}
+/// One of these that stands in a block of its own.
+WrongValue outside_of_action(ProcedureId id);
 
 /// T as a number.
 MaybeWrong wrong_tool(double number);

@@ -109,8 +109,7 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
   if (!feed) {
     return feed.error();
   }
-  const double step = 2.0 * std::acos(1.0 - std::min(1.0, kChordErrorMm / radius));
-  const int chords = static_cast<int>(std::ceil(arc.sweep / step));
+  const int chords = path::chords_of(arc.sweep, radius, kChordErrorMm);
   for (int i = 1; i <= chords; ++i) {
     const double fraction = static_cast<double>(i) / chords;
     const double angle = arc.sweep * fraction;
@@ -173,13 +172,15 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   return travel_to(channel, path, job.q_W_end);
 }
 
-MaybeFailure move_in_space(Channel& channel, const Job& job) {
+MaybeFailure move_in_space(Channel& channel, const Job& job, double turns) {
   const Vector3 middle = middle_of(channel, job.block, job.q_W_start).head<3>();
-  const auto arc = through(job.q_W_start.head<3>(), middle, job.q_W_end.head<3>());
-  if (!arc) {
-    return arc.error();
+  const auto once = through(job.q_W_start.head<3>(), middle, job.q_W_end.head<3>());
+  if (!once) {
+    return once.error();
   }
-  return move_in_chords(channel, job, arc.value());
+  SpatialArc arc = once.value();
+  arc.sweep += turns * kFullRad;
+  return move_in_chords(channel, job, arc);
 }
 
 }  // namespace
@@ -195,7 +196,7 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   }
   Job job{block, channel.present(), q_W_end.value()};
   if (is_spatial(channel, block, job.q_W_start, job.q_W_end)) {
-    return move_in_space(channel, job);
+    return move_in_space(channel, job, turns.value());
   }
   const auto circle = programmed_circle(channel, block, job.q_W_end);
   if (!circle) {

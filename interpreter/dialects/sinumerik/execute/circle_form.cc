@@ -175,9 +175,7 @@ AxisPositions middle_of(const Channel& channel, const Block& block,
   AxisPositions middle = q_W_start;
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& word = block.words[kMiddle[axis]];
-    const bool adds = is_incremental(word.modification) ||
-                      (word.modification == Modification::None &&
-                       channel.group[Group::Distance] == number_in_group("G91"));
+    const bool adds = counts_from_present(channel, word.modification);
     const double value = channel.stored_place(
         axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute,
         word.modification);

@@ -22,7 +22,9 @@ std::optional<PlaneCircle> through_three(const Point& a, const Point& b, const P
   const Point out = Point(to_c.y() * to_b.squaredNorm() - to_b.y() * to_c.squaredNorm(),
                           to_b.x() * to_c.squaredNorm() - to_c.x() * to_b.squaredNorm()) /
                     (2.0 * twice_area);
-  return PlaneCircle{a + out, out.norm()};
+  const PlaneCircle circle{a + out, out.norm()};
+  return std::isfinite(circle.radius) && circle.centre.allFinite() ? std::optional(circle)
+                                                                   : std::nullopt;
 }
 
 }  // namespace

@@ -19,12 +19,6 @@ PlaneVector direction_of(double degrees) {
           mathematics(FunctionId::SIN, degrees, 0.0).value_or(0.0)};
 }
 
-bool adds(const Channel& channel, const BlockWords::Word& word) {
-  return is_incremental(word.modification) ||
-         (word.modification == Modification::None &&
-          channel.group[Group::Distance] == number_in_group("G91"));
-}
-
 Failure undetermined(double degrees) {
   return failure(AlarmId::BadSyntax,
                  fmt::format("ANG={:g}: the lines do not determine their end", degrees));
@@ -34,8 +28,8 @@ Failure undetermined(double degrees) {
 Result<PlaneVector, Failure> meeting_point(const Channel& channel, const Block& block,
                                            const PlaneVector& from, const PlaneVector& to) {
   const Plane plane = channel.plane();
-  if (adds(channel, block.words.axis(plane.first)) ||
-      adds(channel, block.words.axis(plane.second))) {
+  if (counts_from_present(channel, block.words.axis(plane.first).modification) ||
+      counts_from_present(channel, block.words.axis(plane.second).modification)) {
     return failure(AlarmId::NotImplemented, "the end of two lines by ANG: in absolute coordinates");
   }
   const double degrees = block.words[Address::Angle].value;

@@ -46,6 +46,8 @@ void drop_motion(Channel& channel);
 
 /// F, S, M3 to M5, M19, SPOS and the like.
 MaybeFailure take_technology(Channel& channel, const Block& block);
+/// The machine hears how fast the master spindle turns, if it does.
+void tell_spindle(Channel& channel);
 /// T, D and M6.
 MaybeFailure select_tool(Channel& channel, const Block& block);
 /// FZ and SVC, by the tool in force.
@@ -134,6 +136,8 @@ double further_rapid_seconds(const Channel& channel, const Block& block);
 /// U, V and W: POS[W], then W.
 MaybeFailure move_further_axes(Channel& channel, const Block& block, FurtherMotion motion);
 
+/// Whether a word counts from where the program stands: IC, or G91 where no frame is suppressed.
+bool counts_from_present(const Channel& channel, Modification modification);
 /// Where the word of an axis sends it, work coordinates.  @param now  where it stands
 Result<double, Failure> programmed_place(const Channel& channel, int axis,
                                          const BlockWords::Word& word, double now);

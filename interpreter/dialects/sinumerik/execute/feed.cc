@@ -68,13 +68,10 @@ FeedMeaning feed_meaning(int feed_type) {
 
 double spindle_speed(const Channel& channel, double radius_mm) {
   const Spindle& spindle = channel.spindle;
-  const double share = spindle.override_percent / 100.0;
   if (!cuts_at_constant_speed(channel.group[Group::FeedType])) {
-    return spindle.speed <= 0.0
-               ? 0.0
-               : std::clamp(spindle.speed * share, std::min(spindle.lowest, spindle.highest),
-                            spindle.highest);
+    return spindle.speed <= 0.0 ? 0.0 : spindle.limited(spindle.speed);
   }
+  const double share = spindle.override_percent / 100.0;
   return spindle.cutting_speed <= 0.0 ? 0.0 : share / turn_time(channel).at(radius_mm);
 }
 
@@ -109,6 +106,12 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
                                channel.to_machine(q_W_end) - channel.machine_position());
   }
   return way;
+}
+
+double positioning_feed(const Channel& channel, int axis) {
+  const auto at = static_cast<std::size_t>(axis);
+  return channel.axis_settings.feed[at] * channel.axis_settings.override_percent[at] / 100.0 *
+         channel.feed_switches.override_percent / 100.0;
 }
 
 double switched(const Channel& channel, double feed_mm_min) {

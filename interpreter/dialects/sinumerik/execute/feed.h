@@ -32,6 +32,9 @@ Result<double, Failure> helix_share(const Channel& channel, double arc_mm, doubl
 /// Override and dry run on a feed.
 double switched(const Channel& channel, double feed_mm_min);
 
+/// FA of an axis that goes alone, with its overrides, mm/min or deg/min; 0: rapid.
+double positioning_feed(const Channel& channel, int axis);
+
 /// rev/min at a distance from the turning centre, mm
 double spindle_speed(const Channel& channel, double radius_mm);
 

@@ -26,15 +26,21 @@ const BlockWords::Word& positioning_word(const Block& block, int axis) {
   return block.words.positioning[static_cast<std::size_t>(axis)];
 }
 
+MaybeFailure beyond_travel(const FurtherAxis& further, int axis, double place) {
+  return place < further.travel_min || place > further.travel_max
+             ? MaybeFailure(failure(AlarmId::SoftLimit,
+                                    fmt::format("{}{:g}: {:g} to {:g}", letter_of_axis(axis), place,
+                                                further.travel_min, further.travel_max)))
+             : std::nullopt;
+}
+
 /// Where a word sends the axis, mm.
 Result<double, Failure> place_of(const Channel& channel, int axis, const BlockWords::Word& word) {
   const FurtherAxis* const further = channel.further(axis);
   if (further == nullptr) {
     return no_such_axis(axis);
   }
-  const bool adds = is_incremental(word.modification) ||
-                    (word.modification == Modification::None && channel.suppression == 0 &&
-                     channel.group[Group::Distance] == number_in_group("G91"));
+  const bool adds = counts_from_present(channel, word.modification);
   if (word.modification != Modification::None && !is_incremental(word.modification) &&
       !is_absolute(word.modification)) {
     return failure(AlarmId::BadModification,
@@ -46,10 +52,8 @@ Result<double, Failure> place_of(const Channel& channel, int axis, const BlockWo
       axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute,
       word.modification);
   const double place = frame.apply(axis, from + way);
-  if (place < further->travel_min || place > further->travel_max) {
-    return failure(AlarmId::SoftLimit,
-                   fmt::format("{}{:g}: {:g} to {:g}", letter_of_axis(axis), place,
-                               further->travel_min, further->travel_max));
+  if (MaybeFailure wrong = beyond_travel(*further, axis, place)) {
+    return *wrong;
   }
   return place;
 }
@@ -69,8 +73,7 @@ MaybeFailure position_one(Channel& channel, const Block& block, int axis) {
   }
   FurtherAxis& further = channel.further_axes.at(axis);
   const double way = place.value() - further.at;
-  const double feed = channel.axis_settings.feed[static_cast<std::size_t>(axis)] *
-                      channel.feed_switches.override_percent / 100.0;
+  const double feed = positioning_feed(channel, axis);
   further.at = place.value();
   return pause(channel,
                {feed > 0.0 ? kSecondsPerMinute * std::abs(way) / feed : rapid_seconds(further, way),
@@ -141,6 +144,27 @@ double further_rapid_seconds(const Channel& channel, const Block& block) {
     }
   }
   return seconds;
+}
+
+MaybeFailure cannot_follow(const Channel& channel, const AxisPositions& q_M_way) {
+  for (const auto& [axes, factor] : channel.couplings) {
+    if (is_further_axis(axes.first)) {
+      const FurtherAxis& further = channel.further_axes.at(axes.first);
+      if (MaybeFailure wrong =
+              beyond_travel(further, axes.first, further.at + factor * q_M_way[axes.second])) {
+        return wrong;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void move_followers(Channel& channel, const AxisPositions& q_M_way) {
+  for (const auto& [axes, factor] : channel.couplings) {
+    if (is_further_axis(axes.first)) {
+      channel.further_axes.at(axes.first).at += factor * q_M_way[axes.second];
+    }
+  }
 }
 
 bool moves_further_axes(const Block& block) {

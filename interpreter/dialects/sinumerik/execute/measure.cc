@@ -23,6 +23,9 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
   machine::LinearMove move;
   move.smoothness.limits_jerk = limits_jerk(channel);
   move.q_M_end = coupled_end(channel, channel.port.position(), channel.to_machine(q_W_end));
+  if (MaybeFailure wrong = cannot_follow(channel, move.q_M_end - channel.port.position())) {
+    return *wrong;
+  }
   move.transform = channel.leads();
   if (way.axis_feed_per_min) {
     if (*way.axis_feed_per_min > 0.0) {

@@ -6,13 +6,13 @@
 
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
+#include "machine/units/within_turn.h"
 
 namespace g31::sinumerik {
 namespace {
 
 constexpr double kTurn = 360.0;
 constexpr int kRapid = number_in_group("G0");
-constexpr int kIncremental = number_in_group("G91");
 
 bool is_thread(int motion) {
   return motion == number_in_group("G33") || motion == number_in_group("G331") ||
@@ -22,14 +22,14 @@ constexpr Address kLeads[] = {Address::CentreX, Address::CentreY, Address::Centr
 
 /// The nearest place of a rotary axis at `angle` that the modification allows.
 double rotary_end(double now, double angle, Modification modification) {
-  const double ahead = std::fmod(std::fmod(angle - now, kTurn) + kTurn, kTurn);
+  const double ahead = machine::within_turn(angle - now);
   switch (modification) {
     case Modification::Direct:
       return now + (ahead > kTurn / 2.0 ? ahead - kTurn : ahead);
     case Modification::Plus:
       return now + ahead;
     case Modification::Minus:
-      return now + (ahead > 0.0 ? ahead - kTurn : 0.0);
+      return now - machine::within_turn(now - angle);
     case Modification::None:
     case Modification::Absolute:
     case Modification::Incremental:
@@ -54,13 +54,13 @@ Result<double, Failure> modulo_place(const Channel& channel, int axis, const Blo
     return failure(AlarmId::BadModuloPosition,
                    fmt::format("{}{:g}", kAxisLetters[axis], word.value));
   }
-  const double angle = Channel::within_turn(word.value);
+  const double angle = machine::within_turn(word.value);
   const bool is_shorter = word.modification == Modification::None &&
                           channel.has_axis_function(axis, Function::ShorterWay);
   const bool is_plain =
       word.modification == Modification::None || word.modification == Modification::Absolute;
   return is_shorter ? rotary_end(now, angle, Modification::Direct)
-         : is_plain ? now - Channel::within_turn(now) + angle
+         : is_plain ? now - machine::within_turn(now) + angle
                     : rotary_end(now, angle, word.modification);
 }
 
@@ -80,6 +80,12 @@ Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
 
 }  // namespace
 
+bool counts_from_present(const Channel& channel, Modification modification) {
+  return is_incremental(modification) ||
+         (modification == Modification::None && channel.suppression == 0 &&
+          channel.group[Group::Distance] == number_in_group("G91"));
+}
+
 /// Incremental words count from the end that was written last; where frames are suppressed, from
 /// where the axes stand.
 Result<double, Failure> programmed_place(const Channel& channel, int axis,
@@ -95,10 +101,7 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
     return failure(AlarmId::BadModification,
                    fmt::format("{} is not a linear axis", kAxisLetters[axis]));
   }
-  const bool incremental =
-      channel.group[Group::Distance] == kIncremental && channel.suppression == 0;
-  const bool adds =
-      is_incremental(word.modification) || (word.modification == Modification::None && incremental);
+  const bool adds = counts_from_present(channel, word.modification);
   const double value = channel.stored_place(
       axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute,
       word.modification);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/execute/measuring.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "machine/base/contract.h"
@@ -28,10 +29,11 @@ void take_feed(Channel& channel, const Setting& setting) {
 
 /// OVRA[axis]
 void take_override(Channel& channel, const Setting& setting) {
-  if (!is_further_axis(setting.axis)) {
-    (setting.axis == kSpindleAxis ? channel.spindle.override_percent
-                                  : channel.axis_settings.override_percent[setting.axis]) =
-        setting.value;
+  if (setting.axis == kSpindleAxis) {
+    channel.spindle.override_percent = setting.value;
+    tell_spindle(channel);
+  } else {
+    channel.axis_settings.override_percent[static_cast<std::size_t>(setting.axis)] = setting.value;
   }
 }
 
@@ -138,24 +140,17 @@ machine::BlockEnd end_of(MotionEnd motion_end) {
   return machine::BlockEnd::ExactStop;
 }
 
-/// FA with its overrides, mm/min or deg/min; 0: rapid.
-double feed_of(const Channel& channel, int axis) {
-  const AxisSettings& settings = channel.axis_settings;
-  return settings.feed[static_cast<std::size_t>(axis)] * settings.override_percent[axis] / 100.0 *
-         channel.feed_switches.override_percent / 100.0;
-}
-
 /// @param place_W  work coordinate of the axis
 MaybeFailure move_one(Channel& channel, const Block& block, int axis, double place_W) {
   AxisPositions q_W_end = channel.present();
   q_W_end[axis] = place_W;
   if (measures_positioning(block)) {
-    return measure_axis(channel, block, q_W_end, feed_of(channel, axis));
+    return measure_axis(channel, block, q_W_end, positioning_feed(channel, axis));
   }
   path::PathBlock path;
   path.q_M_end = channel.to_path(q_W_end);
   const AxisSettings& settings = channel.axis_settings;
-  path.feed_mm_min = feed_of(channel, axis);
+  path.feed_mm_min = positioning_feed(channel, axis);
   path.g = path.feed_mm_min > 0.0 ? 1 : 0;
   path.ends = end_of(settings.motion_end[static_cast<std::size_t>(axis)]);
   path.where = block.where;

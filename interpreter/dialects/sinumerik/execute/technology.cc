@@ -6,6 +6,7 @@
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
+#include "machine/units/within_turn.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -66,6 +67,15 @@ MaybeFailure orient(Channel& channel, const Numbered& which, double degrees,
   return axis ? turn_axis(channel, *axis, degrees, where) : std::nullopt;
 }
 
+/// rev/min as the control turns a spindle.
+double turning_speed(Channel& channel, const Numbered& which) {
+  const bool is_master = which.number == static_cast<int>(channel.master_spindle);
+  return is_master && cuts_at_constant_speed(channel.group[Group::FeedType])
+             ? spindle_speed(channel, channel.present()[kTransverseAxis])
+         : which.spindle.speed == 0.0 ? 0.0
+                                      : which.spindle.limited(std::abs(which.spindle.speed));
+}
+
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
 void turn(Channel& channel, const Numbered& which) {
   const int direction = which.spindle.direction;
@@ -75,7 +85,7 @@ void turn(Channel& channel, const Numbered& which) {
                                                              : machine::Rotation::Stopped;
   const bool stops = rotation == machine::Rotation::Stopped;
   channel.port.turn_spindle({rotation,
-                             stops ? 0.0 : std::abs(which.spindle.speed),
+                             stops ? 0.0 : turning_speed(channel, which),
                              {},
                              channel.port_spindle(which.number)});
 }
@@ -109,7 +119,7 @@ Result<double, Failure> place_in_turn(const Channel& channel, int spindle, doubl
   }
   const auto axis = channel.axis_of_spindle(spindle);
   if (axis && channel.has_axis_function(*axis, Channel::AxisFunction::TakesAnyPlace)) {
-    return Channel::within_turn(degrees);
+    return machine::within_turn(degrees);
   }
   return failure(AlarmId::BadModuloPosition, fmt::format("SPOS={:g}", degrees));
 }
@@ -164,15 +174,19 @@ MaybeFailure take_machine_codes(Channel& channel, const Block& block) {
 
 }  // namespace
 
+void tell_spindle(Channel& channel) {
+  if (turns(channel.spindle)) {
+    turn(channel, master_of(channel));
+  }
+}
+
 MaybeFailure take_technology(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
   if (is_technology(block)) {
     channel.feed = words.has(Address::Feed) ? words[Address::Feed].value : channel.feed;
     if (words.has(Address::Speed)) {
       take_speed(channel, words[Address::Speed].value);
-      if (turns(channel.spindle)) {
-        turn(channel, master_of(channel));
-      }
+      tell_spindle(channel);
     }
   }
   if (const auto& angle = words[Address::ThreadAngle]; angle.present) {

@@ -123,6 +123,7 @@ MaybeFailure take_cutting_speed(Channel& channel, double speed) {
                    fmt::format("SVC={:g}, tool radius {:g}", speed, radius));
   }
   channel.spindle.speed = speed * kMmPerMetre / (2.0 * std::numbers::pi * radius);
+  tell_spindle(channel);
   return std::nullopt;
 }
 

@@ -167,14 +167,6 @@ AxisPositions coupled_end(const Channel& channel, const AxisPositions& q_M_from,
   return q_M_coupled;
 }
 
-void move_followers(Channel& channel, const AxisPositions& q_M_way) {
-  for (const auto& [axes, factor] : channel.couplings) {
-    if (is_further_axis(axes.first)) {
-      channel.further_axes.at(axes.first).at += factor * q_M_way[axes.second];
-    }
-  }
-}
-
 MaybeFailure travel(Channel& channel, const PathBlock& unled) {
   const AxisPositions q_P_from = channel.path_position();
   PathBlock path = unled;
@@ -213,14 +205,16 @@ MaybeFailure travel_line_coupled(Channel& channel, const PathBlock& path) {
   const AxisPositions q_M_end = channel.path_to_machine(path.q_M_end);
   PathBlock coupled = path;
   coupled.q_M_end = channel.machine_to_path(coupled_end(channel, q_M_from, q_M_end));
-  move_followers(channel, q_M_end - q_M_from);
-  MaybeFailure wrong = travel(channel, coupled);
-  if (wrong) {
-    channel.arrived_at_machine();
-  } else {
-    channel.arrived_at_programmed(channel.path_to_work(coupled.q_M_end), coupled.q_M_end);
+  if (MaybeFailure wrong = cannot_follow(channel, q_M_end - q_M_from)) {
+    return wrong;
   }
-  return wrong;
+  if (MaybeFailure wrong = travel(channel, coupled)) {
+    channel.arrived_at_machine();
+    return wrong;
+  }
+  move_followers(channel, q_M_end - q_M_from);
+  channel.arrived_at_programmed(channel.path_to_work(coupled.q_M_end), coupled.q_M_end);
+  return std::nullopt;
 }
 
 /// A circle that axes go along with, in chords.
@@ -238,8 +232,7 @@ MaybeFailure travel_circle_coupled(Channel& channel, const PathBlock& path) {
   const double turn = path.arc->turn == machine::Turn::Counterclockwise ? 1.0 : -1.0;
   const double sweep =
       turn * path::sweep_rad({plane.of(q_P_from), plane.of(path.q_M_end), path.arc});
-  const double step = 2.0 * std::acos(1.0 - std::min(1.0, kCoupledChordErrorMm / from.norm()));
-  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
+  const int chords = path::chords_of(sweep, from.norm(), kCoupledChordErrorMm);
   AxisPositions q_P_before = q_P_from;
   for (int i = 1; i <= chords; ++i) {
     const double fraction = static_cast<double>(i) / chords;

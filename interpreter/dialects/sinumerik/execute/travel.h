@@ -43,6 +43,8 @@ MaybeFailure travel_by_axes(Channel& channel, const path::PathBlock& path,
 /// Where axes that follow others end, too.
 AxisPositions coupled_end(const Channel& channel, const AxisPositions& q_M_from,
                           const AxisPositions& q_M_end);
+/// Whether one of U, V and W that follow would leave its travel.
+MaybeFailure cannot_follow(const Channel& channel, const AxisPositions& q_M_way);
 /// U, V and W go along.
 void move_followers(Channel& channel, const AxisPositions& q_M_way);
 

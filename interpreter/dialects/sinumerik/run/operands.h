@@ -13,6 +13,7 @@
 #include "interpreter/dialects/sinumerik/state/channel.h"
 #include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 
@@ -38,6 +39,11 @@ class Operands {
 
   double& number(Operand place) {
     return banks_[static_cast<std::size_t>(place.bank)][place.place];
+  }
+  /// An argument that holds a number or an axis.
+  [[nodiscard]] double number(const Argument& argument) {
+    G31_EXPECTS(is_held_as_number(argument.type));
+    return number(argument.value);
   }
   std::string& text(Operand place);
   Frame& frame(Operand place);

@@ -44,7 +44,7 @@ MaybeFailure SynchronisedActions::take(const Op& op) {
 
 MaybeFailure SynchronisedActions::disable_reading() {
   if (!is_acting_) {
-    return failure(AlarmId::SyntaxInText, "RDISABLE stands in synchronised actions");
+    return failure(outside_of_action(ProcedureId::RDISABLE));
   }
   disables_reading_ = true;
   return std::nullopt;

@@ -60,7 +60,7 @@ std::vector<BoundValue> Calls::bound(const CallSite& site) {
     } else if (argument.type == Type::Frame) {
       value.frame = std::make_shared<const Frame>(operands_.frame(argument.value));
     } else {
-      value.number = operands_.number(argument.value);
+      value.number = operands_.number(argument);
     }
   }
   return values;
@@ -218,10 +218,10 @@ Result<Calls::ReturnTarget, Failure> Calls::return_target(const Op& op) {
   if (given(0)) {
     label = list[0].type == Type::String
                 ? upper(operands_.text(list[0].value))
-                : fmt::format("N{:.0f}", rounded(operands_.number(list[0].value)));
+                : fmt::format("N{:.0f}", rounded(operands_.number(list[0])));
   }
-  const bool behind = given(1) && operands_.number(list[1].value) != 0.0;
-  const double levels = given(2) ? rounded(operands_.number(list[2].value)) : 1.0;
+  const bool behind = given(1) && operands_.number(list[1]) != 0.0;
+  const double levels = given(2) ? rounded(operands_.number(list[2])) : 1.0;
   if (levels < 1.0 || levels > static_cast<double>(std::max<std::size_t>(stack_.depth(), 1))) {
     return failure(AlarmId::ValueOutOfLimits, fmt::format("RET over {:.0f} levels", levels));
   }

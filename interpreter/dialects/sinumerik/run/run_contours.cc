@@ -137,7 +137,7 @@ MaybeFailure offset_noted(Channel& channel, Operands& at, Arguments list) {
   if (MaybeFailure wrong = is_contour_table(table)) {
     return wrong;
   }
-  const double count = rounded(at.number(list[1].value));
+  const double count = rounded(at.number(list[1]));
   if (!(count >= 1.0 && count <= table.shape.size[0])) {
     return failure(AlarmId::ValueOutOfLimits, fmt::format("CONTOUR_OFFSET: {:g} rows", count));
   }
@@ -152,7 +152,7 @@ MaybeFailure offset_noted(Channel& channel, Operands& at, Arguments list) {
                      fmt::format("CONTOUR_OFFSET: row {} is no way that goes on", i));
     }
   }
-  const auto beside = contour_beside(ways, at.number(list[2].value) * mm);
+  const auto beside = contour_beside(ways, at.number(list[2]) * mm);
   return beside ? fill_table(at, table, beside.value(), list[3], mm) : MaybeFailure(beside.error());
 }
 

@@ -147,8 +147,8 @@ double read_file(Channel& channel, Operands& at, Arguments list) {
   if (content == nullptr) {
     return file_error::kNoFile;
   }
-  const double count = rounded(at.number(list[3].value));
-  const double line = rounded(at.number(list[2].value));
+  const double count = rounded(at.number(list[3]));
+  const double line = rounded(at.number(list[2]));
   const double most = line == 0.0 ? std::numeric_limits<double>::infinity() : line + count - 1.0;
   const std::vector<std::string_view> lines = lines_of(*content, std::max(line, most));
   const auto line_count = static_cast<double>(lines.size());

@@ -41,7 +41,7 @@ Result<std::vector<AxisValue>, Failure> axis_values(Operands& at, const Op& op, 
   }
   std::vector<AxisValue> all;
   for (std::size_t i = 0; i < list.size(); i += 2) {
-    const double axis = list[i].type == Type::Axis ? at.number(list[i].value) : kNoAxis;
+    const double axis = list[i].type == Type::Axis ? at.number(list[i]) : kNoAxis;
     if (axis < 0.0 || !is_number(list[i + 1].type)) {
       return failure(AlarmId::NotAnAxis, function::name_of(op));
     }
@@ -51,7 +51,7 @@ Result<std::vector<AxisValue>, Failure> axis_values(Operands& at, const Op& op, 
     if (!has_frame(static_cast<int>(axis))) {
       return failure(AlarmId::BadAxisIndex);
     }
-    all.push_back({static_cast<int>(axis), at.number(list[i + 1].value)});
+    all.push_back({static_cast<int>(axis), at.number(list[i + 1])});
   }
   return all;
 }
@@ -156,7 +156,7 @@ MaybeFailure scale_frame(Channel& channel, Operands& at, const Op& op, Arguments
 MaybeFailure mirror_frame(Operands& at, const Op& op, Arguments list) {
   Frame result;
   for (const Argument& argument : list) {
-    const double axis = argument.type == Type::Axis ? at.number(argument.value) : kNoAxis;
+    const double axis = argument.type == Type::Axis ? at.number(argument) : kNoAxis;
     if (axis < 0.0) {
       return failure(AlarmId::NotAnAxis, function::name_of(op));
     }
@@ -209,7 +209,7 @@ MaybeFailure solid_turn_frame(Operands& at, const Op& op, Arguments list) {
 
 /// CRPL(plane, angle)
 MaybeFailure plane_turn_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
-  const double which = rounded(at.number(list[0].value));
+  const double which = rounded(at.number(list[0]));
   if (!(which >= 0.0 && which <= 3.0)) {
     return failure(AlarmId::BadArguments, "CRPL: the plane is 0 to 3");
   }
@@ -217,7 +217,7 @@ MaybeFailure plane_turn_frame(Channel& channel, Operands& at, const Op& op, Argu
   const auto row = static_cast<std::size_t>(which);
   const int normal = row == 0 ? channel.plane().normal : kNormals[row];
   Frame result;
-  result.set_component(normal, Component::Rotation, at.number(list[1].value));
+  result.set_component(normal, Component::Rotation, at.number(list[1]));
   at.frame(op.result) = result;
   return std::nullopt;
 }

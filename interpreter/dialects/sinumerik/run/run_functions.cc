@@ -8,6 +8,7 @@
 #include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "machine/base/contract.h"
 #include "machine/base/letters.h"
+#include "machine/units/within_turn.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -90,36 +91,35 @@ std::string name_of(const Op& op) {
 
 /// BOUND(low, high, a)
 MaybeFailure bounded(Operands& at, const Op& op, Arguments list) {
-  const double low = at.number(list[0].value);
-  const double high = at.number(list[1].value);
+  const double low = at.number(list[0]);
+  const double high = at.number(list[1]);
   if (MaybeFailure wrong = failure(wrong_bounds(low, high))) {
     return wrong;
   }
-  at.number(op.result) = std::clamp(at.number(list[2].value), low, high);
+  at.number(op.result) = std::clamp(at.number(list[2]), low, high);
   return std::nullopt;
 }
 
 MaybeFailure is_geometry_axis(Operands& at, const Op& op, Arguments list) {
-  const double axis = at.number(list[0].value);
+  const double axis = at.number(list[0]);
   at.number(op.result) = axis >= 1.0 && axis <= 3.0 ? 1.0 : 0.0;
   return std::nullopt;
 }
 
 MaybeFailure name_of_axis(Operands& at, const Op& op, Arguments list) {
-  at.text(op.result) = shown(Type::Axis, at.number(list[0].value));
+  at.text(op.result) = shown(Type::Axis, at.number(list[0]));
   return std::nullopt;
 }
 
 /// MODAXVAL(axis, value)
 MaybeFailure modulo_place(Operands& at, const Op& op, Arguments list) {
-  const double axis = at.number(list[0].value);
+  const double axis = at.number(list[0]);
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex, "MODAXVAL");
   }
-  constexpr double kTurn = 360.0;
-  const double value = at.number(list[1].value);
+  const double value = at.number(list[1]);
   at.number(op.result) =
-      !is_rotary_axis(static_cast<int>(axis)) ? value : value - kTurn * std::floor(value / kTurn);
+      is_rotary_axis(static_cast<int>(axis)) ? machine::within_turn(value) : value;
   return std::nullopt;
 }
 
@@ -132,7 +132,7 @@ MaybeFailure formatted_text(Operands& at, const Op& op, Arguments list) {
     if (argument.type == Type::String) {
       value.text = at.text(argument.value);
     } else if (is_held_as_number(argument.type)) {
-      value.number = at.number(argument.value);
+      value.number = at.number(argument);
     } else {
       return failure(AlarmId::BadArguments, "SPRINT");
     }
@@ -204,9 +204,9 @@ MaybeFailure knows_file(CalledPrograms& programs, Operands& at, const Op& op, Ar
 /// SUBSTR(text, first, length)
 MaybeFailure part_of_text(Operands& at, const Op& op, Arguments list) {
   const std::string& in = at.text(list[0].value);
-  const double first = rounded(at.number(list[1].value));
+  const double first = rounded(at.number(list[1]));
   const double most = static_cast<double>(in.size());
-  const double length = list.size() > 2 ? std::min(rounded(at.number(list[2].value)), most) : most;
+  const double length = list.size() > 2 ? std::min(rounded(at.number(list[2])), most) : most;
   const bool inside = first >= 0.0 && first < most && length > 0.0;
   std::string part =
       inside ? in.substr(static_cast<std::size_t>(first), static_cast<std::size_t>(length)) : "";

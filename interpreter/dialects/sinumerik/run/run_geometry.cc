@@ -1,3 +1,4 @@
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ namespace function {
 MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list) {
   const VariableView points = at.variable(list[0].variable);
   const VariableView result = at.variable(list[2].variable);
-  const double count = rounded(at.number(list[1].value));
+  const double count = rounded(at.number(list[1]));
   if (count != 3.0 && count != 4.0) {
     return failure(AlarmId::BadArguments, fmt::format("CALCDAT: {:g} points, not 3 or 4", count));
   }
@@ -45,9 +46,12 @@ MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list) {
   }
   const auto circle = circle_through(all);
   if (circle) {
-    result.numbers[0] = circle->centre.x();
-    result.numbers[1] = circle->centre.y();
-    result.numbers[2] = circle->radius;
+    const double values[] = {circle->centre.x(), circle->centre.y(), circle->radius};
+    for (std::size_t i = 0; i < std::size(values); ++i) {
+      if (MaybeFailure wrong = failure(at.store(result, i, values[i]))) {
+        return wrong;
+      }
+    }
   }
   at.number(op.result) = circle ? 1.0 : 0.0;
   return std::nullopt;

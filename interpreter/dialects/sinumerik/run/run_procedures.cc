@@ -14,10 +14,10 @@ namespace {
 
 MaybeFailure set_locked(SynchronisedActions& actions, Operands& at, Arguments list, bool locked) {
   if (!actions.is_acting()) {
-    return failure(AlarmId::SyntaxInText, "LOCK and UNLOCK stand in synchronised actions");
+    return failure(outside_of_action(locked ? ProcedureId::LOCK : ProcedureId::UNLOCK));
   }
   for (const Argument& argument : list) {
-    actions.set_locked(static_cast<int>(at.number(argument.value)), locked);
+    actions.set_locked(static_cast<int>(at.number(argument)), locked);
   }
   return std::nullopt;
 }
@@ -73,7 +73,7 @@ MaybeFailure message(Channel& channel, Operands& at, Arguments list) {
 }
 
 MaybeFailure set_master_spindle(Channel& channel, Operands& at, Arguments list) {
-  const double number = list.empty() ? 1.0 : at.number(list[0].value);
+  const double number = list.empty() ? 1.0 : at.number(list[0]);
   if (MaybeFailure wrong = failure(wrong_master_spindle(number))) {
     return wrong;
   }
@@ -94,7 +94,7 @@ MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list) {
   AxisSettings& settings = channel.axis_settings;
   std::array<bool, kAxisCount> counts = {list.empty(), list.empty(), list.empty()};
   for (const Argument& argument : list) {
-    const double axis = argument.type == Type::Axis ? at.number(argument.value) : kNoAxis;
+    const double axis = argument.type == Type::Axis ? at.number(argument) : kNoAxis;
     if (axis < 0.0) {
       return failure(AlarmId::NotAnAxis, "FGROUP");
     }
@@ -112,7 +112,7 @@ MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list) {
 
 /// IPOBRKA(axis, percent)
 MaybeFailure end_in_braking(Channel& channel, Operands& at, Arguments list) {
-  const double axis = at.number(list[0].value);
+  const double axis = at.number(list[0]);
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex, "IPOBRKA");
   }
@@ -127,8 +127,8 @@ MaybeFailure diameters_by_channel(Channel& channel, Operands& /*at*/, Arguments 
 
 /// TRAILON(axis, leading axis, factor): the same pair again has another factor.
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
-  const int follows = static_cast<int>(at.number(list[0].value));
-  const int leads = static_cast<int>(at.number(list[1].value));
+  const int follows = static_cast<int>(at.number(list[0]));
+  const int leads = static_cast<int>(at.number(list[1]));
   if (!is_machine_axis(leads) || follows == leads ||
       (!is_machine_axis(follows) && !is_further_axis(follows))) {
     return failure(AlarmId::BadAxisIndex, "TRAILON: X, Y, Z, A, B or C leads another axis");
@@ -136,7 +136,7 @@ MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
   if (is_further_axis(follows) && channel.further(follows) == nullptr) {
     return no_such_axis(follows);
   }
-  const double factor = list.size() > 2 ? at.number(list[2].value) : 1.0;
+  const double factor = list.size() > 2 ? at.number(list[2]) : 1.0;
   MaybeFailure wrong = finish_motion(channel);
   channel.couplings[{follows, leads}] = factor;
   return wrong;
@@ -146,8 +146,7 @@ MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
 /// carrier it takes, or themselves what it is.
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list) {
   const auto value = [&](std::size_t i) {
-    return i < list.size() && list[i].form != Argument::Form::Omitted ? at.number(list[i].value)
-                                                                      : 0.0;
+    return i < list.size() && list[i].form != Argument::Form::Omitted ? at.number(list[i]) : 0.0;
   };
   const double number = value(0);
   BasicPosition basic;
@@ -180,15 +179,15 @@ MaybeFailure transformation_off(Channel& channel, Operands& /*at*/, Arguments /*
 MaybeFailure reset_orientation(Channel& channel, Operands& at, Arguments list) {
   std::array<std::optional<double>, 2> deg;
   for (std::size_t i = 0; i < std::min(list.size(), deg.size()); ++i) {
-    deg.at(i) = at.number(list[i].value);
+    deg.at(i) = at.number(list[i]);
   }
   return turn_back(channel, deg, channel.here());
 }
 
 /// TRAILOF(axis, leading axis), TRAILOF(axis)
 MaybeFailure release_axis(Channel& channel, Operands& at, Arguments list) {
-  const int follows = static_cast<int>(at.number(list[0].value));
-  const int leads = list.size() > 1 ? static_cast<int>(at.number(list[1].value)) : -1;
+  const int follows = static_cast<int>(at.number(list[0]));
+  const int leads = list.size() > 1 ? static_cast<int>(at.number(list[1])) : -1;
   MaybeFailure wrong = finish_motion(channel);
   std::erase_if(channel.couplings, [&](const auto& row) {
     return row.first.first == follows && (leads < 0 || row.first.second == leads);
@@ -198,7 +197,7 @@ MaybeFailure release_axis(Channel& channel, Operands& at, Arguments list) {
 
 /// SETAL(number, text): ends the program, but for what is shown only.
 MaybeFailure set_alarm(Channel& channel, Operands& at, Arguments list) {
-  const double given = rounded(at.number(list[0].value));
+  const double given = rounded(at.number(list[0]));
   if (MaybeFailure wrong = failure(wrong_alarm_number(given))) {
     return wrong;
   }
@@ -230,7 +229,7 @@ MaybeFailure set_call_path(Calls& calls, Operands& at, Arguments list) {
 /// CANCEL(n,...)
 MaybeFailure cancel_actions(SynchronisedActions& actions, Operands& at, Arguments list) {
   for (const Argument& argument : list) {
-    actions.cancel(static_cast<int>(at.number(argument.value)));
+    actions.cancel(static_cast<int>(at.number(argument)));
   }
   return std::nullopt;
 }

@@ -204,7 +204,7 @@ MaybeFailure SystemSteps::show(const Op& op, const SystemAccess& access,
 
 MaybeFailure SystemSteps::set(const SystemAccess& access, const Argument& value,
                               MaybeFailure (*set_number)(Channel&, const SystemAccess&, double)) {
-  return set_number(channel_, access, operands_.number(value.value));
+  return set_number(channel_, access, operands_.number(value));
 }
 
 MaybeFailure SystemSteps::set(const SystemAccess& access, const Argument& value,
@@ -223,7 +223,7 @@ MaybeFailure SystemSteps::set(const SystemAccess& access, const Argument& value,
   Frame& stored = *place.value();
   if (access.component) {
     if (MaybeFailure wrong = channel_.set_component(access.axis, *access.component,
-                                                    operands_.number(value.value), stored)) {
+                                                    operands_.number(value), stored)) {
       return wrong;
     }
   } else {

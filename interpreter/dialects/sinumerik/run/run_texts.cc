@@ -99,7 +99,7 @@ bool StepMachine::frame_step(const Op& op) {
         return true;
       }
       MaybeFailure wrong =
-          channel_.set_component(axis, component, number(list[0].value), frame(op.result));
+          channel_.set_component(axis, component, operands_.number(list[0]), frame(op.result));
       return !wrong || fault_.keep(*std::move(wrong));
     }
   }
@@ -122,7 +122,7 @@ bool StepMachine::set_element(const VariableView& target, std::int32_t element,
   } else if (target.type == Type::Frame) {
     target.frames[at] = omitted ? Frame() : frame(value.value);
   } else {
-    return store(target, at, omitted ? initial_number(target.type) : number(value.value));
+    return store(target, at, omitted ? initial_number(target.type) : operands_.number(value));
   }
   return true;
 }
@@ -147,7 +147,7 @@ bool StepMachine::repeat_value(const Op& op) {
   const Arguments list = operands_.arguments_of(op);
   const auto first = static_cast<std::int32_t>(number(op.result));
   const std::int32_t rest = target.shape.count() - first;
-  const double wanted = list.size() > 1 ? number(list[1].value) : rest;
+  const double wanted = list.size() > 1 ? operands_.number(list[1]) : rest;
   if (wanted < 0.0 || wanted > rest) {
     return fault_.keep(AlarmId::TooManyInitialValues);
   }

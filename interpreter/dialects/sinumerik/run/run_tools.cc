@@ -73,7 +73,7 @@ double tool_in_use(const Channel& channel, const std::string& name) {
 /// The tool of a name and, if it is there, a duplo number; 0 or less: there is none.
 double tool_named(const Channel& channel, Operands& at, Arguments list) {
   const std::string& name = at.text(list[0].value);
-  return list.size() > 1 ? number_of_tool(channel.tools, name, rounded(at.number(list[1].value)))
+  return list.size() > 1 ? number_of_tool(channel.tools, name, rounded(at.number(list[1])))
                          : first_of_name(channel.tools, name);
 }
 
@@ -83,12 +83,12 @@ namespace function {
 
 /// GETDNO(tool, edge)
 MaybeFailure number_of_edge(Channel& channel, Operands& at, const Op& op, Arguments list) {
-  const double given = rounded(at.number(list[0].value));
+  const double given = rounded(at.number(list[0]));
   const int tool = numbered(given);
   if (channel.find_tool(tool) == nullptr) {
     return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given));
   }
-  const int edge = numbered(rounded(at.number(list[1].value)));
+  const int edge = numbered(rounded(at.number(list[1])));
   at.number(op.result) = channel.find_edge(tool, edge) != nullptr ? edge : 0.0;
   return std::nullopt;
 }
@@ -97,7 +97,7 @@ MaybeFailure number_of_edge(Channel& channel, Operands& at, const Op& op, Argume
 MaybeFailure edges_are_unique(Channel& channel, Operands& at, const Op& op, Arguments list) {
   std::array<double, 3> given = {};
   for (std::size_t i = 0; i < list.size(); ++i) {
-    given.at(i) = rounded(at.number(list[i].value));
+    given.at(i) = rounded(at.number(list[i]));
     if (i < 2 && channel.find_tool(numbered(given.at(i))) == nullptr) {
       return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given.at(i)));
     }
@@ -118,7 +118,7 @@ MaybeFailure edges_are_unique(Channel& channel, Operands& at, const Op& op, Argu
 
 /// AXTOSPI(axis)
 MaybeFailure spindle_of_axis(Channel& channel, Operands& at, const Op& op, Arguments list) {
-  const auto axis = static_cast<int>(at.number(list[0].value));
+  const auto axis = static_cast<int>(at.number(list[0]));
   for (int spindle = 1; spindle <= kMostSpindles; ++spindle) {
     if (channel.axis_of_spindle(spindle) == axis) {
       at.number(op.result) = spindle;
@@ -137,7 +137,7 @@ MaybeFailure named_tool_in_use(Channel& channel, Operands& at, const Op& op, Arg
 
 /// GETT(name, duplo)
 MaybeFailure named_tool(Channel& channel, Operands& at, const Op& op, Arguments list) {
-  const double duplo = list.size() > 1 ? rounded(at.number(list[1].value)) : 1.0;
+  const double duplo = list.size() > 1 ? rounded(at.number(list[1])) : 1.0;
   at.number(op.result) = number_of_tool(channel.tools, at.text(list[0].value), duplo);
   return std::nullopt;
 }
@@ -146,7 +146,7 @@ MaybeFailure named_tool(Channel& channel, Operands& at, const Op& op, Arguments 
 MaybeFailure new_tool(Channel& channel, Operands& at, const Op& op, Arguments list) {
   const std::string name = at.text(list[0].value);
   const double duplo =
-      list.size() > 1 ? rounded(at.number(list[1].value)) : last_duplo(channel.tools, name) + 1.0;
+      list.size() > 1 ? rounded(at.number(list[1])) : last_duplo(channel.tools, name) + 1.0;
   const bool is_valid = !name.empty() && duplo >= 1.0 && duplo <= kMostDuplo;
   if (!is_valid || number_of_tool(channel.tools, name, duplo) != kNoTool) {
     return failure(AlarmId::ToolExists, fmt::format("\"{}\", {:g}", name, duplo));

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/units/within_turn.h"
+
 namespace g31::sinumerik {
 namespace {
 
@@ -87,8 +89,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
 
 std::optional<double> Channel::simultaneous_limit() const {
   constexpr unsigned kSimultaneously = 1U << 14U;
-  const auto mask = static_cast<std::uint32_t>(static_cast<std::int64_t>(numbers[measuring_mask_]));
-  return (mask & kSimultaneously) != 0 ? std::optional(numbers[simultaneous_limit_]) : std::nullopt;
+  return (bits_of(numbers[measuring_mask_]) & kSimultaneously) != 0
+             ? std::optional(numbers[simultaneous_limit_])
+             : std::nullopt;
 }
 
 bool Channel::is_lathe() const {
@@ -162,20 +165,13 @@ bool Channel::is_modulo(int axis) const {
 }
 
 bool Channel::has_axis_function(int axis, AxisFunction function) const {
-  const auto mask =
-      static_cast<unsigned>(numbers[axis_function_masks_ + static_cast<std::size_t>(axis)]);
+  const std::uint32_t mask =
+      bits_of(numbers[axis_function_masks_ + static_cast<std::size_t>(axis)]);
   return ((mask >> static_cast<unsigned>(function)) & 1U) != 0U;
 }
 
 double Channel::within_turn(int axis, double degrees) const {
-  return is_modulo(axis) ? within_turn(degrees) : degrees;
-}
-
-double Channel::within_turn(double degrees) {
-  constexpr double kTurn = 360.0;
-  constexpr double kWhole = 1e-9;  // deg: so near a full turn it is one
-  const double rest = degrees - kTurn * std::floor(degrees / kTurn);
-  return rest > kTurn - kWhole ? 0.0 : rest;
+  return is_modulo(axis) ? machine::within_turn(degrees) : degrees;
 }
 
 Plane Channel::plane() const {

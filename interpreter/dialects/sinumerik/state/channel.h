@@ -201,7 +201,6 @@ class Channel : public ChannelState {
   [[nodiscard]] bool has_axis_function(int axis, AxisFunction function) const;
   /// A place as programs see it: of a modulo axis from 0 on, below 360.
   [[nodiscard]] double within_turn(int axis, double degrees) const;
-  [[nodiscard]] static double within_turn(double degrees);
 
   // Motion
   MotionData motion_data;

@@ -314,8 +314,7 @@ Result<std::optional<ToolCarrier>, Failure> transformation_on_chain(const Channe
   if (!type.empty() && type != "TRAORI_DYN") {
     return wrong_chain(fmt::format("$NT_TRAFO_TYPE[{}]=\"{}\": TRAORI_DYN is simulated", n, type));
   }
-  const auto control =
-      static_cast<unsigned>(number_at(channel, SystemId::TransformationControl, {n}));
+  const std::uint32_t control = bits_of(number_at(channel, SystemId::TransformationControl, {n}));
   constexpr unsigned kClosesPart = 1U << 7U;
   constexpr unsigned kClosesTool = 1U << 8U;
   const std::array<ChainEnds, 2> ends = {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -19,8 +20,6 @@ namespace g31::sinumerik {
 /// The axis that DIAMON counts in diameters, and whose work coordinate G96 takes as the radius: X.
 inline constexpr int kTransverseAxis = 0;
 
-/// Spindle 1 holds the tool; of the others it is kept what programs say.
-
 /// What programs said about the spindle.
 struct Spindle {
   static constexpr int kPositioned = -19;
@@ -35,6 +34,11 @@ struct Spindle {
   double override_percent = 100.0;                         ///< OVRA[S1]
   int direction = kNothingYet;  ///< of $P_SDIR: 3, 4, 5 of M3, M4, M5, or one of these two
 
+  /// A speed as it turns: with OVRA, within G25 and G26.  @param programmed  > 0
+  [[nodiscard]] double limited(double programmed) const {
+    return std::clamp(programmed * override_percent / 100.0, std::min(lowest, highest), highest);
+  }
+
   bool operator==(const Spindle&) const = default;
 };
 
@@ -48,12 +52,15 @@ enum class MotionEnd : std::uint8_t {
 
 /// What programs set of the axes one by one, and the overrides that they write.
 struct AxisSettings {
-  AxisSettings() { motion_end.fill(MotionEnd::Fine); }
+  AxisSettings() {
+    motion_end.fill(MotionEnd::Fine);
+    override_percent.fill(100.0);
+  }
 
-  std::array<double, kAxisNumbers> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
-  AxisPositions override_percent = AxisPositions::Constant(100.0);  ///< OVRA
-  std::array<bool, kAxisCount> counts = {true, true, true};         ///< FGROUP
-  AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
+  std::array<double, kAxisNumbers> feed = {};                  ///< FA, mm/min or deg/min; 0: rapid
+  std::array<double, kAxisNumbers> override_percent;           ///< OVRA
+  std::array<bool, kAxisCount> counts = {true, true, true};    ///< FGROUP
+  AxisPositions mm_per_degree = AxisPositions::Constant(1.0);  ///< FGREF, of rotary axes
   bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
   double path_override_percent = 100.0;  ///< OVR
   std::array<MotionEnd, kAxisNumbers> motion_end;

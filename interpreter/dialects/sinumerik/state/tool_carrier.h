@@ -14,16 +14,12 @@ namespace g31::sinumerik {
 
 /// $TC_CARR1 to 65 of one tool carrier: what the control believes of rotary axes.
 struct ToolCarrier {
-  static constexpr std::size_t kAngle1 = 13;  ///< to 14: where 21 and 22 name no axis
-  static constexpr std::size_t kAxis1 = 21;   ///< to 22
-  static constexpr std::size_t kKind = 23;
+  static constexpr std::size_t kAngle1 = 13;        ///< to 14: where 21 and 22 name no axis
   static constexpr std::size_t kBasic1 = 24;        ///< to 25
   static constexpr std::size_t kHirthOffset1 = 26;  ///< to 27
-  static constexpr std::size_t kHirthPitch1 = 28;   ///< to 29
   static constexpr std::size_t kLower1 = 30;        ///< to 31
   static constexpr std::size_t kUpper1 = 32;        ///< to 33
   static constexpr std::size_t kName = 34;
-  static constexpr std::size_t kAxisName1 = 35;   ///< to 36
   static constexpr std::size_t kFineBasic1 = 64;  ///< to 65
   static constexpr std::size_t kLast = 65;
 

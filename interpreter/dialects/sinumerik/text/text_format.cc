@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "machine/units/axis_positions.h"
@@ -108,7 +109,7 @@ std::optional<std::string> hexadecimal(double number) {
   if (!(whole >= -2147483648.0 && whole <= 4294967295.0)) {
     return std::nullopt;
   }
-  return fmt::format("{:X}", static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
+  return fmt::format("{:X}", bits_of(whole));
 }
 
 std::optional<std::string> converted(const Directive& directive, const SprintValue& value) {

@@ -55,6 +55,11 @@ std::optional<double> mathematics(FunctionId id, double a, double b);
 /// As TO INT rounds: halves upwards, as the control does.
 double rounded(double value);
 
+/// The bits of a mask that is kept as a number.  @param mask  of INT
+constexpr std::uint32_t bits_of(double mask) {
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(mask));
+}
+
 /// A number as a variable of this type keeps it; nullopt: it is no INT or no CHAR.
 std::optional<double> kept_as(Type type, double value);
 
