@@ -199,6 +199,11 @@ class InstalledTree(unittest.TestCase):
         self.assertEqual(self.complete("g31", "run", "share/g31/macros/fanuc/O600"),
                          {f"share/g31/macros/fanuc/O600{n}.nc" for n in (1, 2, 3)})
 
+    def test_values_that_are_files_are_completed_as_files(self):
+        zsh = (self.root / "share/zsh/vendor-completions/_g31").read_text()
+        for option in ("--compare", "--printer", "--stock"):
+            self.assertRegex(zsh, rf"'{option}\[.*:_files'", option)
+
     def test_each_option_of_each_command_is_completed_and_in_the_manual(self):
         scripts = [(self.root / place).read_text() for place in PLACES if "completion" in place]
         for command in self.about["commands"]:

@@ -189,6 +189,30 @@ TEST(Outputs, CannotShareStandardOutput) {
   }
 }
 
+TEST(Outputs, ThatCannotBeWrittenAreToldBeforeTheRun) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\n#3006=1(STOP)\nM30\n");
+  for (const char* const option : {"--json", "--jsonl", "--trace", "--readings"}) {
+    const auto said = g31({"run", program, option, folder.path("")});
+    EXPECT_EQ(said.exit_code, 2) << option;
+    EXPECT_EQ(
+        said.errors.find(fmt::format("g31: error: {} {}: cannot write", option, folder.path(""))),
+        0U)
+        << said.errors;
+  }
+}
+
+TEST(Outputs, TablesOnStandardOutputAreFreeOfPrintouts) {
+  const TemporaryFolder folder;
+  const std::string program =
+      folder.write("a.nc", "O1\nPOPEN\nDPRNT[HELLO]\nPCLOS\nG1X1.F600.\nM30\n");
+  const auto said = g31({"run", program, "--trace", "-", "-q"});
+  EXPECT_EQ(said.exit_code, 0) << said.errors;
+  EXPECT_EQ(said.out.find("HELLO"), std::string::npos);
+  EXPECT_EQ(said.out.find("time_s"), 0U) << said.out;
+  EXPECT_NE(said.errors.find("HELLO"), std::string::npos) << said.errors;
+}
+
 TEST(RunRecord, NamesItsInputsWithTheirHashes) {
   // Of FIPS 180-2, appendix B.1, and of nothing.
   const TemporaryFolder folder;

@@ -77,7 +77,7 @@ std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& ou
     return wrong;
   }
   for (const OutputPlace& output : outputs) {
-    const bool is_asked = output.is_written_last && !output.path.empty();
+    const bool is_asked = output.is_asked_first && !output.path.empty();
     if (const auto why = is_asked ? disk::why_not_begun(output.path) : std::nullopt) {
       return session::bad_input(
           fmt::format("{} {}: cannot write: {}", output.option, output.path, *why));

@@ -13,8 +13,9 @@ namespace g31::cli {
 struct OutputPlace {
   std::string_view option;
   std::string path;  ///< "-": standard output; "": nothing is wanted
-  /// Whether it is written when the work is done; otherwise the command sees to its place itself.
-  bool is_written_last = false;
+  /// Whether it is asked before the work if it can be written there; otherwise the command sees to
+  /// its place itself.
+  bool is_asked_first = false;
 };
 
 /// Of a text that is to name a file for an output: what is wrong with it; empty: nothing.
@@ -31,7 +32,7 @@ using InputLists = std::vector<std::vector<std::string>>;
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
                                             const InputLists& inputs);
 
-/// The same before the work, when it is also asked whether those that are written last can be.
+/// The same before the work, when it is also asked whether outputs can be written.
 std::optional<session::Refusal> wrong_outputs(const std::vector<OutputPlace>& outputs,
                                               const InputLists& inputs);
 

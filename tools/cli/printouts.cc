@@ -73,8 +73,10 @@ Result<std::FILE*, Refusal> open_device(const std::string& path) {
 Result<std::shared_ptr<Printouts>, session::Refusal> Printouts::open(const RunOptions& options) {
   const std::shared_ptr<Printouts> printouts(new Printouts());
   if (options.printer.empty() || options.printer == "-") {
-    const bool is_taken = options.json == "-" || options.jsonl == "-" || options.watch != nullptr;
-    printouts->stream_ = is_taken ? nullptr : stdout;
+    // A document has them as well; a table has not.
+    const bool is_told = options.json == "-" || options.jsonl == "-" || options.watch != nullptr;
+    const bool is_taken = options.trace == "-" || options.readings == "-";
+    printouts->stream_ = is_told ? nullptr : is_taken ? stderr : stdout;
     return printouts;
   }
   if (printer::names_a_line(options.printer)) {

@@ -17,7 +17,8 @@ namespace g31::cli {
 /// Where the printouts of a run go: standard output, a file or a printer at a serial line.
 class Printouts {
  public:
-  /// As --printer says; without it to standard output, unless the document goes there.
+  /// As --printer says; without it to standard output, unless the document goes there; to standard
+  /// error where a table does.
   /// @returns why that cannot be
   static Result<std::shared_ptr<Printouts>, session::Refusal> open(const RunOptions& options);
 
@@ -41,7 +42,7 @@ class Printouts {
   Printouts() = default;
 
   std::string path_;
-  std::FILE* stream_ = nullptr;  // standard output, a device or pipe of ours, or none
+  std::FILE* stream_ = nullptr;  // standard output or error, a device or pipe of ours, or none
   std::shared_ptr<disk::PartFile> file_;
   std::shared_ptr<runtime::PrinterPort> printer_;
   int error_ = 0;  // errno of the first failure

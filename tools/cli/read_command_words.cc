@@ -1,6 +1,7 @@
 #include "tools/cli/read_command_words.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -56,6 +57,12 @@ std::vector<std::string> known_words(std::string_view called) {
   return words;
 }
 
+/// Whether a value is, or may be, the name of a file.  @param called  as --help calls it
+bool may_be_file(std::string_view called) {
+  constexpr std::string_view kOthers[] = {"OTHER.json", "PRINTER", "SHEET", "STOCK"};
+  return called.starts_with("FILE") || std::ranges::find(kOthers, called) != std::end(kOthers);
+}
+
 void set_value(const CLI::Option& option, OptionWords& words) {
   if (option.get_items_expected_max() == 0) {
     return;
@@ -68,7 +75,7 @@ void set_value(const CLI::Option& option, OptionWords& words) {
   }
   if (!words.choices.empty()) {
     words.kind = ValueKind::Choice;
-  } else if (words.value.starts_with("FILE")) {
+  } else if (may_be_file(words.value)) {
     words.kind = ValueKind::File;
   } else {
     words.kind = words.value.starts_with("DIR") ? ValueKind::Folder : ValueKind::Text;

@@ -131,9 +131,9 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
 }
 
 std::vector<OutputPlace> run_outputs(const RunOptions& options) {
-  return {{"--json", options.json, true},   {"--jsonl", options.jsonl},
-          {"--report", options.report},     {"--trace", options.trace},
-          {"--readings", options.readings}, {"--printer", options.printer}};
+  return {{"--json", options.json, true},         {"--jsonl", options.jsonl, true},
+          {"--report", options.report},           {"--trace", options.trace, true},
+          {"--readings", options.readings, true}, {"--printer", options.printer}};
 }
 
 InputLists inputs_of(const RunOptions& options, const std::vector<std::string>& read) {
