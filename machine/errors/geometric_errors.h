@@ -34,8 +34,10 @@ class GeometricErrors {
 
   /// True minus indicated position of the tool tip, mm, machine frame.
   /// @param p_M    X Y Z as the scales indicate them, mm
-  /// @param p_T    the tip from the gauge point, mm, along the axes of the machine
-  [[nodiscard]] Point at(const Point& p_M, const Point& p_T) const;
+  /// @param arm_M  the tip from the gauge point as the tool is turned, mm
+  [[nodiscard]] Point at(const Point& p_M, const Point& arm_M) const;
+  /// How far the angular errors turn what the axes carry there, rad.  @param p_M  as above
+  [[nodiscard]] Point turn_at(const Point& p_M) const;
 
   [[nodiscard]] bool are_zero() const;
 

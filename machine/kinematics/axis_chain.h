@@ -39,6 +39,8 @@ struct ToolPlace {
   AxisPositions q;
   /// How the tool is turned against the part.
   Eigen::Quaterniond tilt = Eigen::Quaterniond::Identity();
+  /// By which angular errors turn it, and what it carries, about its tip, rad.
+  Point lean_rad = Point::Zero();
 };
 
 /// The forward transform of a machine: where the tool is for the part.

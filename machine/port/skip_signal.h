@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 namespace g31::machine {
@@ -17,6 +18,9 @@ struct Listening {
   int input = kAnyInput;  ///< measuring input, from 1
   SignalEdge edge = SignalEdge::Rising;
   double speed_mm_s = 0.0;  ///< at which the way is travelled; what turns meanwhile depends on it
+  /// When a fraction 0..1 of the way is reached, s after its beginning; empty: at that speed
+  /// throughout.
+  std::function<double(double)> time_s_at = {};
 };
 
 /// How what gives the signal of an input is placed to do so.

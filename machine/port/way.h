@@ -22,6 +22,8 @@ struct Waypoint {
   AxisPositions q_M;      ///< true position; equal to the one before where an axis sticks
   /// How the tool is turned there, against the part; where no rotary axis is, not at all.
   Eigen::Quaterniond tilt = Eigen::Quaterniond::Identity();
+  /// By which angular errors turn it about the tip beyond that, rad; of the first order.
+  Point lean_rad = Point::Zero();
 };
 
 /// A straight piece between two points.
@@ -30,6 +32,8 @@ struct Sweep {
   AxisPositions q_M_to;  ///< not equal to q_M_from, unless the tilt changes
   Eigen::Quaterniond tilt_from = Eigen::Quaterniond::Identity();
   Eigen::Quaterniond tilt_to = Eigen::Quaterniond::Identity();
+  Point lean_from_rad = Point::Zero();
+  Point lean_to_rad = Point::Zero();
 };
 
 /// A curve, like an arc; the tool does not turn on it.
@@ -67,11 +71,18 @@ class Way {
 
 /// Whether anything changes between two points.
 inline bool differ(const Waypoint& a, const Waypoint& b) {
-  return a.q_M != b.q_M || a.tilt.coeffs() != b.tilt.coeffs();
+  return a.q_M != b.q_M || a.tilt.coeffs() != b.tilt.coeffs() || a.lean_rad != b.lean_rad;
 }
 
 inline Sweep sweep_between(const Waypoint& from, const Waypoint& to) {
-  return {from.q_M, to.q_M, from.tilt, to.tilt};
+  return {from.q_M, to.q_M, from.tilt, to.tilt, from.lean_rad, to.lean_rad};
+}
+
+inline Waypoint start_of(const Sweep& sweep) {
+  return {0.0, sweep.q_M_from, sweep.tilt_from, sweep.lean_from_rad};
+}
+inline Waypoint end_of(const Sweep& sweep) {
+  return {1.0, sweep.q_M_to, sweep.tilt_to, sweep.lean_to_rad};
 }
 
 /// The fraction of the way after a share 0..1 of the piece between two points of it.

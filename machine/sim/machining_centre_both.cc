@@ -14,13 +14,6 @@
 namespace g31::machine {
 namespace {
 
-std::array<Listening, 2> listening_of_both(const SkipMove& move) {
-  constexpr double kPerMinute = 1.0 / 60.0;
-  const double speed_mm_s = kPerMinute * move.way.feed_mm_min;
-  return {Listening{move.input, move.edge, speed_mm_s},
-          Listening{move.further->input, move.edge, speed_mm_s}};
-}
-
 /// The outcome of the later signal, which has ended the move, together with what was latched before
 /// it.
 SkipOutcome both_of(Touched later, FurtherTouch earlier, bool main_is_later) {
@@ -69,7 +62,7 @@ SkipOutcome MachiningCentre::skip_for_both(const StraightPath& path, const SkipM
   const ServoMotion motion = real_.motion(path, profile.phases());
   std::array<std::optional<Timed<SkipTrigger>>, 2> signals;
   for (std::size_t i = 0; surroundings_ != nullptr && i < signals.size(); ++i) {
-    const Listening to = listening_of_both(move).at(i);
+    const Listening to = listening_of(move, i == 0 ? move.input : move.further->input, profile);
     if (!real_.are_ideal()) {
       signals.at(i) = real_.first_signal(motion, to, *surroundings_);
       continue;
@@ -90,8 +83,10 @@ SkipOutcome MachiningCentre::stop_for_both(std::array<std::optional<Timed<SkipTr
       return NoEdge{std::move(signal->event.contact)};
     }
   }
+  // The control sees a signal when it has come, not the touch.
   const auto time_of = [](const auto& signal) {
-    return signal ? signal->time_s : std::numeric_limits<double>::infinity();
+    return signal ? signal->time_s + signal->event.delay_s
+                  : std::numeric_limits<double>::infinity();
   };
   const bool main_is_later = time_of(signals[0]) > time_of(signals[1]);
   auto& [first, last] = signals;
@@ -102,16 +97,15 @@ SkipOutcome MachiningCentre::stop_for_both(std::array<std::optional<Timed<SkipTr
     return go_without_signal(path.to(), move);
   }
   const MotionProfile profile = dynamics_.profile(path, move.way);
-  const double first_way = profile.distance_at(first->time_s);
+  const double first_way = profile.distance_at(time_of(first));
   const double waits_until = first_way + move.further->within_mm;
-  if (!last || profile.distance_at(last->time_s) > waits_until) {
+  if (!last || profile.distance_at(time_of(last)) > waits_until) {
     const bool goes_on = waits_until >= profile.length();
     return go_without_signal(goes_on ? path.to() : path.at(waits_until / profile.length()), move);
   }
-  const double latch_s = first->time_s + first->event.delay_s;
-  const AxisPositions q_M_latched = real_.are_ideal()
-                                        ? latched_ideally(first->event, path, profile)
-                                        : real_.motion(path, profile.phases()).encoder_at(latch_s);
+  const AxisPositions q_M_latched =
+      real_.are_ideal() ? latched_ideally(first->event, path, profile)
+                        : real_.motion(path, profile.phases()).encoder_at(time_of(first));
   FurtherTouch earlier{in_steps(q_M_latched, resolution_), std::move(first->event.contact)};
   SkipOutcome outcome = real_.are_ideal()
                             ? stop_for(std::move(last->event), path, profile, AfterSignal::Stop)

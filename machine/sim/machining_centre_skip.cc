@@ -21,11 +21,6 @@ double fraction_after(double fraction, double way, const MotionProfile& profile)
   return way >= to_go ? 1.0 : fraction + way / profile.length();
 }
 
-Listening listening_of(const SkipMove& move) {
-  constexpr double kPerMinute = 1.0 / 60.0;
-  return {move.input, move.edge, kPerMinute * move.way.feed_mm_min};
-}
-
 }  // namespace
 
 Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMove& move) {
@@ -114,7 +109,7 @@ std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
   }
   if (surroundings_ != nullptr) {
     const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
-    auto trigger = surroundings_->first_signal(Way(ends), listening_of(move));
+    auto trigger = surroundings_->first_signal(Way(ends), listening_of(move, move.input, profile));
     if (trigger) {
       return stop_for(*std::move(trigger), path, profile, move.after);
     }
@@ -165,7 +160,8 @@ std::optional<SkipOutcome> MachiningCentre::skip_really(const CommandedPath& pat
                                                         const SkipMove& move) {
   const ServoMotion motion = real_.motion(path, profile.phases());
   if (surroundings_ != nullptr) {
-    auto trigger = real_.first_signal(motion, listening_of(move), *surroundings_);
+    auto trigger =
+        real_.first_signal(motion, listening_of(move, move.input, profile), *surroundings_);
     if (trigger) {
       return stop_really(*std::move(trigger), path, profile, move);
     }

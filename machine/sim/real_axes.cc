@@ -35,13 +35,12 @@ ServoLoops without_feed_forward(ServoLoops loops) {
 
 RealAxes::RealAxes(const MachineSetup& setup)
     : truth_(setup),
-      chain_(setup.chain, setup.p_T_tip),
       loops_(without_feed_forward(loops_of(setup))),
       loops_ahead_(loops_of(setup)),
       stop_fine_(AxisPositions::Constant(setup.in_position)),
       stop_coarse_(kCoarsePerFine * stop_fine_),
       lags_(!loops_.time_constants_s.isZero(0.0)),
-      is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && !lags_),
+      is_ideal_(truth_.is_ideal() && !truth_.chain().has_rotary_axes() && !lags_),
       follows_at_once_(!lags_ && !truth_.has_play()) {
   G31_EXPECTS(setup.in_position > 0.0);
 }
@@ -61,7 +60,7 @@ void RealAxes::correct_by(AxisCorrections corrections, const AxisPositions& q_M)
 }
 
 void RealAxes::look_whether_ideal() {
-  is_ideal_ = truth_.is_ideal() && !chain_.has_rotary_axes() && !lag();
+  is_ideal_ = truth_.is_ideal() && !truth_.chain().has_rotary_axes() && !lag();
   follows_at_once_ = !lag() && !truth_.has_play();
 }
 
@@ -102,9 +101,10 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& moti
                                                          const Listening& to,
                                                          Surroundings& world) const {
   const double until_s = done_s(motion, BlockEnd::ExactStop);
-  const TrueWay way(truth_, chain_, motion, until_s,
-                    {kTouchWayErrorMm, world.tool_extent().signal_mm});
-  auto trigger = world.first_signal(Way(way.points()), to);
+  const TrueWay way(truth_, motion, until_s, {kTouchWayErrorMm, world.tool_extent().signal_mm});
+  Listening timed_to = to;
+  timed_to.time_s_at = [&way](double fraction) { return way.time_s(std::min(1.0, fraction)); };
+  auto trigger = world.first_signal(Way(way.points()), timed_to);
   if (!trigger) {
     return std::nullopt;
   }
@@ -118,8 +118,7 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& moti
 
 std::optional<Timed<Obstacle>> RealAxes::first_obstacle(const ServoMotion& motion, Travel travel,
                                                         double until_s, Surroundings& world) const {
-  const TrueWay way(truth_, chain_, motion, until_s,
-                    {kMoveWayErrorMm, world.tool_extent().body_mm});
+  const TrueWay way(truth_, motion, until_s, {kMoveWayErrorMm, world.tool_extent().body_mm});
   auto obstacle = world.first_obstacle(Way(way.points()), travel);
   if (!obstacle) {
     return std::nullopt;
@@ -134,8 +133,8 @@ Waypoint RealAxes::tip(const AxisPositions& q_M) const {
   if (is_ideal_) {
     return {0.0, q_M};
   }
-  const ToolPlace place = chain_.for_part(truth_.after(q_M));
-  return {0.0, place.q, place.tilt};
+  const ToolPlace place = truth_.place_after(q_M);
+  return {0.0, place.q, place.tilt, place.lean_rad};
 }
 
 Waypoint RealAxes::place_of(const Point& p_T, const AxisPositions& q_M) const {
@@ -146,7 +145,7 @@ Waypoint RealAxes::place_of(const Point& p_T, const AxisPositions& q_M) const {
 
 std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const Encoders& went) const {
   const double turned_deg = rotary_axes(went(1.0) - went(0.0)).cwiseAbs().maxCoeff();
-  const int pieces = chain_.has_rotary_axes()
+  const int pieces = truth_.chain().has_rotary_axes()
                          ? std::max(1, static_cast<int>(std::ceil(turned_deg / kSkipTurnDeg)))
                          : 1;
   std::vector<Waypoint> way = {tip_from};
@@ -159,10 +158,10 @@ std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const Encode
 }
 
 Contact RealAxes::in_machine(const AxisPositions& q_M, const Contact& of_part) const {
-  if (is_ideal_ || !chain_.is_turned(q_M)) {
+  if (is_ideal_ || !truth_.chain().is_turned(q_M)) {
     return of_part;
   }
-  const Eigen::Isometry3d machine_from_part = chain_.part_from_machine(q_M).inverse();
+  const Eigen::Isometry3d machine_from_part = truth_.chain().part_from_machine(q_M).inverse();
   return {machine_from_part * of_part.p_M_point, machine_from_part.linear() * of_part.n_M,
           of_part.part, machine_from_part.linear() * of_part.n_M_smooth};
 }
@@ -178,7 +177,6 @@ void RealAxes::follow(const ServoMotion& motion, double until_s) {
 
 void RealAxes::take_tool(const Point& p_T_tip) {
   truth_.take_tool(p_T_tip);
-  chain_.take_tool(p_T_tip);
 }
 
 void RealAxes::stop_at(const AxisPositions& q_M) {

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "machine/kinematics/axis_chain.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/servo_motion.h"
@@ -119,7 +118,6 @@ class RealAxes {
   void look_whether_ideal();
 
   TruePosition truth_;
-  AxisChain chain_;
   ServoLoops loops_;
   ServoLoops loops_ahead_;  // with feed-forward
   AxisPositions stop_fine_;

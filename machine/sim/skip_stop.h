@@ -1,5 +1,6 @@
 #pragma once
 
+#include "machine/port/machine_port.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/motion_profile.h"
 
@@ -30,5 +31,8 @@ SkipStop stop_after_contact(const MotionProfile& profile, double contact_distanc
 /// Worst error of latched_after and stopped_after, relative to the length of the path, over 20 000
 /// stops against long double, times five; tests/machine/skip_stop_test.cc holds it.
 inline constexpr double kSkipStopError = 2.2e-15;
+
+/// What a skip move listens to at one input.  @param profile  outlives what it gives
+Listening listening_of(const SkipMove& move, int input, const MotionProfile& profile);
 
 }  // namespace g31::machine

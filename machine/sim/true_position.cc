@@ -10,7 +10,7 @@ TruePosition::TruePosition(const MachineSetup& setup)
       compensation_(setup.compensation),
       growth_(AxisPositions::Zero()),
       q_M_fixed_(AxisPositions::Zero()),
-      p_T_tip_(setup.p_T_tip) {
+      chain_(setup.chain, setup.p_T_tip) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const AxisSetup& axis = setup.axes[i];
@@ -32,8 +32,9 @@ TruePosition::TruePosition(const MachineSetup& setup)
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
   AxisPositions q_M_true = q_M + growth_.cwiseProduct(q_M - q_M_fixed_);
-  q_M_true.head<kLinearAxisCount>() += geometry_.at(linear_axes(q_M), p_T_tip_);
-  q_M_true.head<kLinearAxisCount>() += compensation_.at(linear_axes(q_M), p_T_tip_);
+  const Point arm_M = chain_.tool_vector(q_M);
+  q_M_true.head<kLinearAxisCount>() += geometry_.at(linear_axes(q_M), arm_M);
+  q_M_true.head<kLinearAxisCount>() += compensation_.at(linear_axes(q_M), arm_M);
   for (std::size_t i = 0; i < cyclic_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     q_M_true[row] += cyclic_[i].at(q_M[row]);
@@ -57,6 +58,17 @@ AxisPositions TruePosition::after(const AxisPositions& q_M) const {
     q_M_true[row] += play_[i].after(q_M[row]).offset();
   }
   return q_M_true;
+}
+
+ToolPlace TruePosition::place_after(const AxisPositions& q_M) const {
+  ToolPlace place = chain_.for_part(after(q_M));
+  if (!geometry_.are_zero()) {
+    place.lean_rad = geometry_.turn_at(linear_axes(q_M));
+    if (chain_.is_turned(q_M)) {
+      place.lean_rad = chain_.part_from_machine(q_M).linear() * place.lean_rad;
+    }
+  }
+  return place;
 }
 
 AxisPositions TruePosition::direction_to(const AxisPositions& q_M) const {

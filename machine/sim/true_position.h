@@ -5,6 +5,7 @@
 
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
+#include "machine/kinematics/axis_chain.h"
 #include "machine/sim/axis_corrections.h"
 #include "machine/sim/machine_setup.h"
 
@@ -25,11 +26,17 @@ class TruePosition {
   /// The true position after a straight way from the last one to q_M.
   [[nodiscard]] AxisPositions after(const AxisPositions& q_M) const;
 
+  /// The same as the tool and the part have it.
+  [[nodiscard]] ToolPlace place_after(const AxisPositions& q_M) const;
+
   /// The same where the way has ended, and the next one will begin.
   AxisPositions go_to(const AxisPositions& q_M);
 
   /// @param p_T_tip  mm, the tip of the tool from now on, from the gauge point
-  void take_tool(const Point& p_T_tip) { p_T_tip_ = p_T_tip; }
+  void take_tool(const Point& p_T_tip) { chain_.take_tool(p_T_tip); }
+
+  /// Which axes carry the part and the tool.
+  [[nodiscard]] const AxisChain& chain() const { return chain_; }
 
   /// The control adds these from now on.  @param q_M  where the encoders stand
   void correct_by(AxisCorrections corrections, const AxisPositions& q_M);
@@ -53,7 +60,7 @@ class TruePosition {
   std::vector<errors::CyclicErrorSetup> cyclic_;
   AxisPositions growth_;     // of a scale, per unit of length
   AxisPositions q_M_fixed_;  // where growing scales stay
-  Point p_T_tip_;
+  AxisChain chain_;
   double smooth_way_ = std::numeric_limits<double>::infinity();
   AxisPositions q_M_last_ = AxisPositions::Zero();   // where the last way ended, with directions
   AxisPositions direction_ = AxisPositions::Zero();  // of it

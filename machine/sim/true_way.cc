@@ -28,18 +28,13 @@ double angle_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
 
 }  // namespace
 
-TrueWay::TrueWay(const TruePosition& start, const AxisChain& chain, const ServoMotion& motion,
-                 double until_s, const WayTolerance& tolerance)
-    : start_(start),
-      chain_(chain),
-      motion_(motion),
-      until_s_(until_s),
-      tolerance_(tolerance),
-      marks_(marks()) {
+TrueWay::TrueWay(const TruePosition& start, const ServoMotion& motion, double until_s,
+                 const WayTolerance& tolerance)
+    : start_(start), motion_(motion), until_s_(until_s), tolerance_(tolerance), marks_(marks()) {
   G31_EXPECTS(until_s > 0.0 && tolerance.error_mm > 0.0 && tolerance.reach_mm >= 0.0);
   TruePosition truth = start;
   Piece piece{0.0, 0.0, tip_at(truth, 0.0), {}};
-  points_.push_back({0.0, piece.from.q, piece.from.tilt});
+  points_.push_back({0.0, piece.from.q, piece.from.tilt, piece.from.lean_rad});
   for (const double mark_s : marks_) {
     piece.to_s = mark_s;
     piece.to = tip_at(truth, mark_s);
@@ -51,7 +46,7 @@ TrueWay::TrueWay(const TruePosition& start, const AxisChain& chain, const ServoM
 }
 
 ToolPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
-  return chain_.for_part(truth.after(motion_.encoder_at(time_s)));
+  return truth.place_after(motion_.encoder_at(time_s));
 }
 
 std::vector<double> TrueWay::marks() const {
@@ -88,13 +83,13 @@ bool TrueWay::is_straight(const TruePosition& truth, const Piece& piece) const {
     if ((off - gone * along).norm() > most || gone < -most || gone > length + most) {
       return false;
     }
-    if (turned_rad == 0.0) {
-      continue;
-    }
-    // Tip and tilt must come along at the same rate.
+    // Tip, tilt and lean must come along at the same rate.
     const double share = length > most ? std::clamp(gone / length, 0.0, 1.0) : part;
-    const Eigen::Quaterniond expected = piece.from.tilt.slerp(share, piece.to.tilt);
-    if (tolerance_.reach_mm * angle_between(expected, place.tilt) > most) {
+    const Point lean_rad = piece.from.lean_rad + share * (piece.to.lean_rad - piece.from.lean_rad);
+    const double tilted_rad =
+        turned_rad > 0.0 ? angle_between(piece.from.tilt.slerp(share, piece.to.tilt), place.tilt)
+                         : 0.0;
+    if (tolerance_.reach_mm * (tilted_rad + (place.lean_rad - lean_rad).norm()) > most) {
       return false;
     }
   }
@@ -104,7 +99,7 @@ bool TrueWay::is_straight(const TruePosition& truth, const Piece& piece) const {
 void TrueWay::add(const TruePosition& truth, const Piece& piece, int halvings) {
   motion_.look();
   if (halvings == 0 || is_straight(truth, piece)) {
-    points_.push_back({piece.to_s / until_s_, piece.to.q, piece.to.tilt});
+    points_.push_back({piece.to_s / until_s_, piece.to.q, piece.to.tilt, piece.to.lean_rad});
     return;
   }
   const double middle_s = 0.5 * (piece.from_s + piece.to_s);

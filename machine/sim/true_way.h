@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "machine/kinematics/axis_chain.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/servo_motion.h"
 #include "machine/sim/true_position.h"
@@ -26,8 +25,8 @@ class TrueWay {
  public:
   /// @param start         where everything is when the move begins
   /// @param until_s       > 0: how much of the motion counts
-  TrueWay(const TruePosition& start, const AxisChain& chain, const ServoMotion& motion,
-          double until_s, const WayTolerance& tolerance);
+  TrueWay(const TruePosition& start, const ServoMotion& motion, double until_s,
+          const WayTolerance& tolerance);
 
   [[nodiscard]] std::span<const Waypoint> points() const { return points_; }
 
@@ -48,7 +47,6 @@ class TrueWay {
   void add(const TruePosition& truth, const Piece& piece, int halvings);
 
   TruePosition start_;
-  const AxisChain& chain_;
   const ServoMotion& motion_;
   double until_s_;
   WayTolerance tolerance_;

@@ -75,6 +75,7 @@ machine::Waypoint CarrierView::from_carrier(const machine::Waypoint& at) const {
   const Eigen::Isometry3d here_from_part = part_from_here->inverse();
   seen.q_M.head<kLinearAxisCount>() = here_from_part * (linear_axes(at.q_M) + p_T_tip_) - p_T_tip_;
   seen.tilt = Eigen::Quaterniond(here_from_part.linear()) * at.tilt;
+  seen.lean_rad = here_from_part.linear() * at.lean_rad;
   return seen;
 }
 

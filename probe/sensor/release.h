@@ -12,6 +12,7 @@ inline machine::Waypoint between(const machine::Waypoint& from, const machine::W
   point.fraction = machine::fraction_between(from, to, share);
   point.q_M = from.q_M + share * (to.q_M - from.q_M);
   point.tilt = turn_between(from.tilt, to.tilt, share);
+  point.lean_rad = from.lean_rad + share * (to.lean_rad - from.lean_rad);
   return point;
 }
 

@@ -15,10 +15,11 @@ machine::Waypoint SecondProbe::own(const machine::Waypoint& at) const {
   const auto& [p_T_beside, p_T_first, p_T_second] = place_;
   machine::Waypoint there = at;
   // The tool turns about the tip of the first probe.
+  const bool is_tilted = at.tilt.coeffs() != Eigen::Quaterniond::Identity().coeffs();
+  const Point from_first = p_T_beside + p_T_second - p_T_first;
+  const Point turned = is_tilted ? Point(at.tilt * from_first) : from_first;
   there.q_M.head<kLinearAxisCount>() +=
-      at.tilt.coeffs() == Eigen::Quaterniond::Identity().coeffs()
-          ? p_T_beside
-          : Point(p_T_first + at.tilt * (p_T_beside + p_T_second - p_T_first) - p_T_second);
+      (is_tilted ? Point(p_T_first + turned - p_T_second) : p_T_beside) + at.lean_rad.cross(turned);
   return there;
 }
 

@@ -134,14 +134,37 @@ PlacedShape ToolProbe::placed(const ConvexShape& piece, const machine::Waypoint&
 std::optional<ToolProbe::Touch> ToolProbe::first_touch(const Pieces& pieces,
                                                        const machine::Waypoint& from,
                                                        const machine::Waypoint& to) const {
-  if (pieces.empty()) {
+  const Point way = linear_axes(to.q_M) - linear_axes(from.q_M);
+  if (pieces.empty() || way.isZero(0.0)) {
     return std::nullopt;
   }
+  const auto turned_as_at = [&](double share) {
+    machine::Waypoint turned = from;
+    turned.tilt = turn_between(from.tilt, to.tilt, share);
+    return turned;
+  };
+  auto touch = first_touch_as_turned(pieces, from, way);
+  if (from.tilt.coeffs() == to.tilt.coeffs()) {
+    return touch;
+  }
+  touch = touch ? touch : first_touch_as_turned(pieces, turned_as_at(1.0), way);
+  // The tool turns on the way: it touches as it is turned there.  Pieces turn so little that each
+  // step leaves the square of what was off before.
+  constexpr int kSteps = 3;
+  for (int i = 0; i < kSteps && touch; ++i) {
+    const auto nearer = first_touch_as_turned(pieces, turned_as_at(touch->fraction), way);
+    if (!nearer) {
+      break;
+    }
+    touch = nearer;
+  }
+  return touch;
+}
+
+std::optional<ToolProbe::Touch> ToolProbe::first_touch_as_turned(const Pieces& pieces,
+                                                                 const machine::Waypoint& from,
+                                                                 const Point& way) const {
   PlacedShape there = placed(pieces.front(), from);
-  const Point way = placed(pieces.front(), to).p - there.p;
-  if (way.isZero(0.0)) {
-    return std::nullopt;
-  }
   const PlacedShape plate = target();
   std::optional<Touch> first;
   const auto take = [&](const ConvexShape& piece) {
@@ -229,14 +252,15 @@ std::optional<machine::SkipTrigger> ToolProbe::first_signal(const machine::Way& 
     return rises ? std::nullopt : std::optional(machine::SkipTrigger{0.0, true, 0.0, std::nullopt});
   }
   const std::vector<machine::Waypoint> points = bed_.from_carrier(way);
-  auto trigger = rises ? first_touch_along(points, to.speed_mm_s) : first_release_along(points);
+  auto trigger = rises ? first_touch_along(points, to) : first_release_along(points);
   if (trigger && trigger->contact) {
     trigger->contact = bed_.for_part(*trigger->contact, way, trigger->fraction);
   }
   return trigger;
 }
 
-std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, double speed_mm_s) {
+std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way,
+                                                                 const machine::Listening& to) {
   const std::uint64_t event = triggers_asked_++;
   if (const auto touch = touch_at(way.front())) {
     return machine::SkipTrigger{0.0, true, 0.0, contact_of(*touch)};
@@ -247,8 +271,10 @@ std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, dou
     const double piece = machine::distance_mm(sweep.q_M_from, sweep.q_M_to);
     if (const auto push = first_push(way[i - 1], way[i])) {
       const double at_outline = gone + push->touch.fraction * piece;
+      const double reached_s = to.time_s_at ? to.time_s_at(machine::fraction_after(way, at_outline))
+                                            : at_outline / to.speed_mm_s;
       const double teeth =
-          push->of_plate ? way_of_turning(push->touch, sweep, at_outline, speed_mm_s) : 0.0;
+          push->of_plate ? way_of_turning(push->touch, sweep, {reached_s, to.speed_mm_s}) : 0.0;
       const double distance = at_outline + push->to_signal_mm + teeth;
       if (!(distance <= machine::length_of(way))) {
         return std::nullopt;
@@ -289,13 +315,13 @@ std::optional<ToolProbe::Push> ToolProbe::first_push(const machine::Waypoint& fr
 
 /// How much further than its outline a tool goes that turns with teeth, mm; infinity: no tooth
 /// comes.
-double ToolProbe::way_of_turning(const Touch& touch, const machine::Sweep& sweep, double gone,
-                                 double speed_mm_s) const {
+double ToolProbe::way_of_turning(const Touch& touch, const machine::Sweep& sweep,
+                                 const Approach& approach) const {
   const bool has_teeth = !held_->setup.teeth.empty() && held_->setup.kind != ToolKind::Turning;
-  if (!has_teeth || spindle_.rate_deg_s() == 0.0 || speed_mm_s <= 0.0) {
+  if (!has_teeth || spindle_.rate_deg_s() == 0.0 || approach.speed_mm_s <= 0.0) {
     return 0.0;
   }
-  const machine::Waypoint start{0.0, sweep.q_M_from, sweep.tilt_from};
+  const machine::Waypoint start = start_of(sweep);
   const PlacedShape tool = placed(held_->shape.envelope.front(), start);
   const Point along = linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
   const Point p_M_tool = tool.p + touch.fraction * along;
@@ -310,8 +336,8 @@ double ToolProbe::way_of_turning(const Touch& touch, const machine::Sweep& sweep
   outline.face_side = (tool.turn.transpose() * R_MT_.col(0)).head<2>();
   outline.is_face_round = setup_.shape == ToolProbeShape::Disc;
   outline.face_half = 0.5 * Eigen::Vector2d(setup_.size_mm[0], setup_.size_mm[1]);
-  const double reached_s = now_s_ + gone / speed_mm_s;
-  const Turning turning{spindle_.angle_deg(reached_s), spindle_.rate_deg_s(), speed_mm_s};
+  const Turning turning{spindle_.angle_deg(now_s_ + approach.reached_s), spindle_.rate_deg_s(),
+                        approach.speed_mm_s};
   return way_to_first_tooth(held_->setup.teeth, held_->shape.profiles, outline, turning)
       .value_or(std::numeric_limits<double>::infinity());
 }

@@ -72,6 +72,11 @@ class ToolProbe final : public machine::Surroundings {
     double to_signal_mm = 0.0;  ///< of the way
     bool of_plate = true;       ///< the tool was free before; no chip, and no holder in a beam
   };
+  /// How the outline of a tool comes to a touch.
+  struct Approach {
+    double reached_s = 0.0;  ///< since the beginning of the way
+    double speed_mm_s = 0.0;
+  };
   /// How deep the tool is in: < 0 where it is not.
   struct Depth {
     double mm = 0.0;
@@ -87,6 +92,10 @@ class ToolProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<Touch> first_touch(const Pieces& pieces,
                                                  const machine::Waypoint& from,
                                                  const machine::Waypoint& to) const;
+  /// The same for a tool that keeps its turn.
+  [[nodiscard]] std::optional<Touch> first_touch_as_turned(const Pieces& pieces,
+                                                           const machine::Waypoint& from,
+                                                           const Point& way) const;
   [[nodiscard]] std::optional<Push> first_push(const machine::Waypoint& from,
                                                const machine::Waypoint& to) const;
   /// Of a chip on the plate: by the outline of the tool, kSectionTouchErrorMm.
@@ -98,9 +107,9 @@ class ToolProbe final : public machine::Surroundings {
   [[nodiscard]] double depth_along(const Depth& side, const PlacedShape& tool) const;
   [[nodiscard]] std::optional<Touch> touch_at(const machine::Waypoint& at) const;
   [[nodiscard]] bool is_on(const machine::Waypoint& at) const;
-  [[nodiscard]] double way_of_turning(const Touch& touch, const machine::Sweep& sweep, double gone,
-                                      double speed_mm_s) const;
-  std::optional<machine::SkipTrigger> first_touch_along(Points way, double speed_mm_s);
+  [[nodiscard]] double way_of_turning(const Touch& touch, const machine::Sweep& sweep,
+                                      const Approach& approach) const;
+  std::optional<machine::SkipTrigger> first_touch_along(Points way, const machine::Listening& to);
   std::optional<machine::SkipTrigger> first_release_along(Points way);
   [[nodiscard]] machine::Contact contact_of(const Touch& touch) const;
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;

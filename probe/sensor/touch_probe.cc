@@ -230,18 +230,18 @@ machine::ToolExtent TouchProbe::tool_extent() const {
   return extent;
 }
 
-Point TouchProbe::centre_of(const Tip& ball, const AxisPositions& q_M,
-                            const Eigen::Quaterniond& tilt) const {
-  if (tilt.coeffs() == Eigen::Quaterniond::Identity().coeffs()) {
-    return linear_axes(q_M) + R_MS_ * ball.p_S;
-  }
+Point TouchProbe::centre_of(const Tip& ball, const machine::Waypoint& at) const {
   const Point& p_S_tip = balls_.front().p_S;  // what the machine takes as the tool tip
-  return linear_axes(q_M) + p_S_tip + tilt * (R_MS_ * ball.p_S - p_S_tip);
+  const Point p_M_ball = R_MS_ * ball.p_S;
+  if (at.tilt.coeffs() == Eigen::Quaterniond::Identity().coeffs()) {
+    return linear_axes(at.q_M) + p_M_ball + at.lean_rad.cross(p_M_ball - p_S_tip);
+  }
+  const Point from_tip = at.tilt * (p_M_ball - p_S_tip);
+  return linear_axes(at.q_M) + p_S_tip + from_tip + at.lean_rad.cross(from_tip);
 }
 
 TouchProbe::BallWay TouchProbe::way_of(const Tip& ball, const machine::Sweep& sweep) const {
-  BallWay way{centre_of(ball, sweep.q_M_from, sweep.tilt_from),
-              centre_of(ball, sweep.q_M_to, sweep.tilt_to)};
+  BallWay way{centre_of(ball, start_of(sweep)), centre_of(ball, end_of(sweep))};
   way.length = way.along().norm();
   return way;
 }
@@ -249,7 +249,7 @@ TouchProbe::BallWay TouchProbe::way_of(const Tip& ball, const machine::Sweep& sw
 std::vector<machine::Waypoint> TouchProbe::way_of(const Tip& ball, Points way) const {
   std::vector<machine::Waypoint> of_ball(way.begin(), way.end());
   for (machine::Waypoint& point : of_ball) {
-    point.q_M.head<kLinearAxisCount>() = centre_of(ball, point.q_M, point.tilt);
+    point.q_M.head<kLinearAxisCount>() = centre_of(ball, point);
   }
   return of_ball;
 }

@@ -147,8 +147,7 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] bool is_round() const;
   /// Whether no touch can give a signal.
   [[nodiscard]] bool is_silent() const;
-  [[nodiscard]] Point centre_of(const Tip& ball, const AxisPositions& q_M,
-                                const Eigen::Quaterniond& tilt) const;
+  [[nodiscard]] Point centre_of(const Tip& ball, const machine::Waypoint& at) const;
   [[nodiscard]] BallWay way_of(const Tip& ball, const machine::Sweep& sweep) const;
   /// The centres of a ball along a way, as linear axes.
   [[nodiscard]] std::vector<machine::Waypoint> way_of(const Tip& ball, Points way) const;

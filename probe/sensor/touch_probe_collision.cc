@@ -12,8 +12,6 @@
 namespace g31::probe {
 namespace {
 
-const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
-
 machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
   return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
 }
@@ -66,7 +64,9 @@ std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::Sweep& 
 std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::CurvedWay& curve) const {
   std::optional<machine::Obstacle> first = rigid_touch_on_curve(curve, 0.0, 1.0);
   for (const Tip& ball : balls_) {
-    const Curve of_ball{[&](double t) { return centre_of(ball, curve.q_M_at(t), kUpright); },
+    const Curve of_ball{[&](double t) {
+                          return centre_of(ball, {t, curve.q_M_at(t)});
+                        },
                         curve.bend};
     for (const Part& part : parts_->parts()) {
       if (!kBarred.is_of(part)) {

@@ -10,7 +10,7 @@
 
 namespace g31::probe {
 std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::Waypoint& at) const {
-  const machine::Sweep still{at.q_M, at.q_M, at.tilt, at.tilt};
+  const machine::Sweep still = machine::sweep_between(at, at);
   for (const Tip& ball : balls_) {
     const BallWay way = way_of(ball, still);
     for (const Part& part : parts_->parts()) {
@@ -39,7 +39,7 @@ std::string TouchProbe::stands_inside(const machine::Waypoint& at) const {
     return {};
   }
   for (const Tip& ball : balls_) {
-    const Point p_M = centre_of(ball, at.q_M, at.tilt);
+    const Point p_M = centre_of(ball, at);
     for (const Part& part : parts_->parts()) {
       const parts::Path here{p_M, Point::UnitX(), 0.0};
       if (part.is_solid && part.mesh->tree().may_meet(here, 0.0) &&

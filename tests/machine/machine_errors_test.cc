@@ -397,8 +397,7 @@ TEST(MachineErrors, TheTrueWayStaysWithinItsTolerance) {
   const StraightPath path(axes(0, 0, 0), axes(90, 40, 30));
   const MotionProfile profile(path.length(), 20.0, 500.0);
   const ServoMotion motion(path, profile.phases(), {}, {});
-  const AxisChain chain(setup.chain, setup.p_T_tip);
-  const TrueWay way(truth, chain, motion, motion.duration_s(), {kTouchWayErrorMm, 0.0});
+  const TrueWay way(truth, motion, motion.duration_s(), {kTouchWayErrorMm, 0.0});
   const auto points = way.points();
   ASSERT_EQ(points.back().fraction, 1.0);
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -152,6 +152,13 @@ TEST(ToolProbe, AStandingToolTouchesWithTheToothThatFacesThePlate) {
   }
 }
 
+/// How far an axis has come that gathers speed from standstill.
+double gone_after(double t, double speed_mm_s) {
+  const double acceleration = machine::AxisSetup().acceleration_per_s2;
+  const double ramp_s = speed_mm_s / acceleration;
+  return t < ramp_s ? 0.5 * acceleration * t * t : speed_mm_s * (t - 0.5 * ramp_s);
+}
+
 /// Brute force: the teeth turn and advance in steps of a microsecond.
 double first_tooth_by_steps(const ToolSetup& mill, double rate_deg_s, double angle_deg,
                             double speed_mm_s, double gap_mm) {
@@ -163,8 +170,9 @@ double first_tooth_by_steps(const ToolSetup& mill, double rate_deg_s, double ang
   for (double t = (gap_mm - outline) / speed_mm_s;; t += kStep_s) {
     for (const Tooth& tooth : mill.teeth) {
       const double angle = (angle_deg + tooth.angle_deg + rate_deg_s * t) * std::numbers::pi / 180;
-      if (speed_mm_s * t + tooth.radius_mm * std::cos(angle) >= gap_mm) {
-        return speed_mm_s * t;
+      const double gone = gone_after(t, speed_mm_s);
+      if (gone + tooth.radius_mm * std::cos(angle) >= gap_mm) {
+        return gone;
       }
     }
   }
@@ -319,7 +327,7 @@ double first_depth_by_steps(const ToolSetup& mill, double rate_deg_s, double spe
   }
   constexpr double kStep_s = 2e-5;
   for (double t = 0.0; speed_mm_s * t < 5.0; t += kStep_s) {
-    const double z = start_mm - speed_mm_s * t;
+    const double z = start_mm - gone_after(t, speed_mm_s);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const double angle = (mill.teeth[i].angle_deg + rate_deg_s * t) * std::numbers::pi / 180;
       for (const Blade::Radial& point : edges[i]) {

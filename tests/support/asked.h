@@ -11,8 +11,7 @@ namespace g31::testing {
 // What a world says to one straight piece or curve.
 
 inline std::array<machine::Waypoint, 2> ends_of(const machine::Sweep& sweep) {
-  return {machine::Waypoint{0.0, sweep.q_M_from, sweep.tilt_from},
-          machine::Waypoint{1.0, sweep.q_M_to, sweep.tilt_to}};
+  return {start_of(sweep), end_of(sweep)};
 }
 
 inline std::optional<machine::SkipTrigger> touch_on(machine::Surroundings& world,
