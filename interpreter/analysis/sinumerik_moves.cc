@@ -63,15 +63,12 @@ class SinumerikMove {
     if (is_reference) {
       kind_ = Move::Kind::Reference;
     } else if (code.group == sinumerik::Group::Motion) {
-      kind_ = code.name == "G0"   ? Move::Kind::Rapid
-              : code.name == "G1" ? Move::Kind::Line
-              : is_circle(code)   ? Move::Kind::Arc
-                                  : Move::Kind::Cycle;
+      using sinumerik::number_in_group;
+      kind_ = code.number == number_in_group("G0")   ? Move::Kind::Rapid
+              : code.number == number_in_group("G1") ? Move::Kind::Line
+              : sinumerik::is_circle(code.number)    ? Move::Kind::Arc
+                                                     : Move::Kind::Cycle;
     }
-  }
-
-  static bool is_circle(const sinumerik::GCode& code) {
-    return code.name == "G2" || code.name == "G3" || code.name == "CIP" || code.name == "CT";
   }
 
   void word(sinumerik::Address address, std::optional<double> value, syntax::ShortSpan where) {

@@ -276,13 +276,11 @@ WrongStep JudgedWords::measuring() const {
 /// TURN and AR of a block with its own code of a circle.
 WrongStep JudgedWords::circle() const {
   const auto by_code = motion();
-  const bool is_arc = by_code == number_in_group("G2") || by_code == number_in_group("G3");
-  const bool is_circle =
-      is_arc || by_code == number_in_group("CIP") || by_code == number_in_group("CT");
+  const bool is_arc = by_code && sinumerik::is_arc(*by_code);
   const bool goes = has_axis() || stands(Address::PolarAngle) || stands(Address::PolarRadius);
   const bool is_other = stands(Address::Measure) || stands(Address::MeasureOn) ||
                         measuring_.count > 0 || stands(Address::Angle);
-  if (!is_circle || !goes || is_other) {
+  if (!by_code || !sinumerik::is_circle(*by_code) || !goes || is_other) {
     return std::nullopt;
   }
   if (WrongStep wrong = judged(Address::Turns, sinumerik::wrong_turns)) {

@@ -149,11 +149,6 @@ const GCode* special_code(const Block& block) {
   return nullptr;
 }
 
-bool is_circle(int motion) {
-  return motion == number_in_group("G2") || motion == number_in_group("G3") ||
-         motion == number_in_group("CIP") || motion == number_in_group("CT");
-}
-
 /// ANG is of straight lines, and a line that waits for its end wants such a one next.
 MaybeFailure judge_lines(Channel& channel, const Block& block) {
   const bool has_angle = block.words.has(Address::Angle);

@@ -1,8 +1,10 @@
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -11,9 +13,31 @@ bool has_word(const Block& block, int axis) {
   return has_frame(axis) && block.words[address_of_axis(axis)].present;
 }
 
+/// What a code makes of its words.
+struct FrameCode {
+  std::string_view name;
+  Component component;
+  bool adds;  ///< to the frame in force
+};
+
+constexpr FrameCode kFrameCodes[] = {
+    {"TRANS", Component::Coarse, false},  {"ATRANS", Component::Coarse, true},
+    {"ROT", Component::Rotation, false},  {"AROT", Component::Rotation, true},
+    {"ROTS", Component::Rotation, false}, {"AROTS", Component::Rotation, true},
+    {"SCALE", Component::Scale, false},   {"ASCALE", Component::Scale, true},
+    {"MIRROR", Component::Mirror, false}, {"AMIRROR", Component::Mirror, true},
+    {"G58", Component::Coarse, false},    {"G59", Component::Fine, false},
+};
+
+const FrameCode& frame_code(const GCode& code) {
+  const auto* const found = std::ranges::find(kFrameCodes, code.name, &FrameCode::name);
+  G31_EXPECTS(found != std::end(kFrameCodes));
+  return *found;
+}
+
 /// What the words of the block make, to be chained or taken alone.
 Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block,
-                                      std::string_view kind) {
+                                      Component component) {
   Frame frame;
   Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
   for (int axis = 0; axis < static_cast<int>(kAxisNumbers); ++axis) {
@@ -24,14 +48,14 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
       return no_such_axis(axis);
     }
     const BlockWords::Word& word = block.words[address_of_axis(axis)];
-    if (kind == "TRANS") {
-      frame.set_component(axis, Component::Coarse, channel.stored(axis, word.value));
-    } else if (kind == "SCALE") {
-      if (MaybeFailure wrong = channel.set_component(axis, Component::Scale, word.value, frame)) {
+    if (component == Component::Coarse) {
+      frame.set_component(axis, component, channel.stored(axis, word.value));
+    } else if (component == Component::Scale) {
+      if (MaybeFailure wrong = channel.set_component(axis, component, word.value, frame)) {
         return *wrong;
       }
-    } else if (kind == "MIRROR") {
-      frame.set_component(axis, Component::Mirror, 1.0);
+    } else if (component == Component::Mirror) {
+      frame.set_component(axis, component, 1.0);
     } else if (is_linear_axis(axis)) {
       degrees[axis] = word.value;
     } else {
@@ -39,12 +63,12 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
     }
   }
   if (block.words.has(Address::PlaneRotation)) {
-    if (kind != "ROT" || !degrees.isZero(0.0)) {
+    if (component != Component::Rotation || !degrees.isZero(0.0)) {
       return failure(AlarmId::UnexpectedParameter, "RPL");
     }
     degrees[channel.plane().normal] = block.words[Address::PlaneRotation].value;
   }
-  if (kind == "ROT") {
+  if (component == Component::Rotation) {
     frame.set_angles(degrees);
   }
   return frame;
@@ -61,7 +85,7 @@ MaybeFailure take_program_frame(Channel& channel) {
 }  // namespace
 
 MaybeFailure shift_by_axis(Channel& channel, const Block& block, const GCode& code) {
-  const Component part = code.name == "G58" ? Component::Coarse : Component::Fine;
+  const Component part = frame_code(code).component;
   for (int axis = 0; axis < static_cast<int>(kAxisNumbers); ++axis) {
     if (has_word(block, axis)) {
       const double value = block.words[address_of_axis(axis)].value;
@@ -92,20 +116,17 @@ MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GC
   Frame frame;
   frame.set_solid_angles(first, block.words.axis(first).value,
                          block.words.axis((first + 1) % 3).value);
-  const bool adds = code.name.front() == 'A';
-  channel.program_frame = adds ? channel.program_frame.chained(frame) : frame;
+  channel.program_frame = frame_code(code).adds ? channel.program_frame.chained(frame) : frame;
   return take_program_frame(channel);
 }
 
 MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code) {
-  const bool adds = code.name.front() == 'A';
-  const std::string_view plain = adds ? code.name.substr(1) : code.name;
-  const std::string_view kind = plain == "ROTS" ? "ROT" : plain;
-  const auto frame = frame_of_words(channel, block, kind);
+  const auto& [name, component, adds] = frame_code(code);
+  const auto frame = frame_of_words(channel, block, component);
   if (!frame) {
     return frame.error();
   }
-  if (adds && kind == "TRANS") {
+  if (adds && component == Component::Coarse) {
     channel.program_frame.add_fine_shift(frame.value());
   } else {
     channel.program_frame = adds ? channel.program_frame.chained(frame.value()) : frame.value();

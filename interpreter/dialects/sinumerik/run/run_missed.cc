@@ -144,7 +144,7 @@ void MissedResults::read_arguments(Arguments list) {
         missed_.reads(holder_of(cell));
       }
     } else if (argument.form != Argument::Form::Omitted) {
-      missed_.reads(holder_of(operands_.number(argument)));
+      missed_.reads(holder_of(operands_.number(argument.value)));
     }
   }
 }
@@ -215,7 +215,7 @@ std::vector<runtime::MissedTouches::Holder> MissedResults::holders_given(
       given[i] =
           holder_of(whole.numbers[static_cast<std::size_t>(operands_.number(argument.element))]);
     } else if (value.form == Argument::Form::Value && is_held_as_number(value.type)) {
-      given[i] = holder_of(operands_.number(argument));
+      given[i] = holder_of(operands_.number(argument.value));
     }
   }
   return given;

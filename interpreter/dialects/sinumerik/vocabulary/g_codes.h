@@ -66,6 +66,15 @@ consteval int number_in_group(std::string_view code) {
   throw "no such code";
 }
 
+/// Numbers of group 1 that go along an arc by its centre, radius or angle.
+constexpr bool is_arc(int motion) {
+  return motion == number_in_group("G2") || motion == number_in_group("G3");
+}
+/// Those, and through a point or at a tangent.
+constexpr bool is_circle(int motion) {
+  return is_arc(motion) || motion == number_in_group("CIP") || motion == number_in_group("CT");
+}
+
 /// All rows of g_codes.def.
 std::span<const GCode> g_codes();
 
