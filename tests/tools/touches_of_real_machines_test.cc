@@ -224,5 +224,42 @@ at = [200.0, 0.0, 0.0]
   }
 }
 
+// A cutting speed turns the spindle as fast as S of the same tool does, whatever the block's order.
+TEST(TouchesOfRealMachines, ASpindleTurnsByItsCuttingSpeed) {
+  std::vector<double> places;
+  for (const char* const speed : {"M3 S=1000", "M3 SVC=50.26548245743669",
+                                  "SVC=50.26548245743669 M3", "M3 S=500 OVRA[S1]=200"}) {
+    const auto x = read({"speed.mpf",
+                         "T1 D1 M6\n" + std::string(speed) +
+                             "\nG91 MEAS=2 G1 X-15 F300\nSTOPRE\nR1=$AA_MM[X]\nM30\n",
+                         R"([control]
+profile = "sinumerik-828d"
+[probe]
+tool = 99
+[tools.1]
+length = 0.0
+radius = 8.0
+[start]
+X = 224.5
+Z = 80.0
+[machine]
+stopping = "ideal"
+[[tool]]
+number = 1
+length = 100.0
+diameter = 16.0
+[[tool.teeth]]
+angle_deg = 0.0
+[[tool_probe]]
+size = 25.0
+at = [200.0, 0.0, 0.0]
+)"},
+                        {"R1"});
+    places.push_back(x[0]);
+    EXPECT_NEAR(x[0], places.front(), 1e-9) << speed;
+  }
+  EXPECT_NEAR(places.front(), first_tooth_by_steps(2000.0), 1e-6);
+}
+
 }  // namespace
 }  // namespace g31::touches_of_real_machines_test
