@@ -140,7 +140,8 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   const Plane& plane = circle.plane;
   const double rise = job.q_W_end[plane.normal] - job.q_W_start[plane.normal];
   const double radius = (circle.start - circle.centre).norm();
-  const auto feed = feed_of(channel, job, radius * total, rise);
+  const double arc_mm = radius * total;
+  const auto feed = feed_of(channel, job, arc_mm, rise);
   if (!feed) {
     return feed.error();
   }
@@ -153,7 +154,8 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   path.arc = path::ArcShape{{q_P_centre[plane.first], q_P_centre[plane.second]},
                             clockwise ? Turn::Clockwise : Turn::Counterclockwise};
   path.g = clockwise ? 2 : 3;
-  path.feed_mm_min = feed.value();
+  // F of a helix is of its way, that of a machine's arc of the plane.
+  path.feed_mm_min = feed.value() * arc_mm / std::hypot(arc_mm, rise);
   path.where = job.block.where;
   take_modes(channel, path);
   const machine::BlockEnd ends = path.ends;
