@@ -282,11 +282,16 @@ double TouchProbe::depth_of(const PartHit& touch) {
   return touch.ball->radius - std::copysign(from_surface.norm(), from_surface.dot(touch.hit.n_M));
 }
 
+std::optional<double> TouchProbe::deflection_wanted(const Point& n_M,
+                                                    const Eigen::Quaterniond& tilt) const {
+  const Point n_S =
+      setup_.turn_of_stylus.conjugate() * (R_MS_.transpose() * (tilt.conjugate() * n_M));
+  return deflection_to_trigger(setup_.at_switch, n_S);
+}
+
 std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,
                                                 const machine::Sweep& sweep) const {
-  const Point n_S = setup_.turn_of_stylus.conjugate() *
-                    (R_MS_.transpose() * (sweep.tilt_from.conjugate() * touch.hit.n_M));
-  const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
+  const auto wanted = deflection_wanted(touch.hit.n_M, sweep.tilt_from);
   if (!wanted) {
     return std::nullopt;
   }

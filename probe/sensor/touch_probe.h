@@ -163,6 +163,9 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<PartHit> signalling_touch(const machine::Waypoint& at) const;
   /// mm: how deep a ball that begins in contact is in.
   static double depth_of(const PartHit& touch);
+  /// mm along this normal; nullopt: a touch from there never gives a signal.
+  [[nodiscard]] std::optional<double> deflection_wanted(const Point& n_M,
+                                                        const Eigen::Quaterniond& tilt) const;
   /// mm from the touch to the signal, negative where the ball is deeper in than that already;
   /// nullopt: no signal from this touch.  @param depth  of the ball in the part, mm
   [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, double depth,

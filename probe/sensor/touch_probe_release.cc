@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "parts/geometry/winding_number.h"
-#include "probe/sensor/pre_travel.h"
 #include "probe/sensor/release.h"
 #include "probe/sensor/touch_probe.h"
 
@@ -23,8 +22,7 @@ std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::W
         continue;
       }
       const PartHit touch{sweeper.sweep(way.p_M_from, way.p_M_to), &part, &ball, way};
-      const Point n_S = R_MS_.transpose() * (at.tilt.conjugate() * touch.hit.n_M);
-      const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
+      const auto wanted = deflection_wanted(touch.hit.n_M, at.tilt);
       if (wanted && ball.radius - *distance >= *wanted - kTouchBandMm) {
         return touch;
       }
