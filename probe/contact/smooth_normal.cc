@@ -14,7 +14,6 @@ namespace {
 
 /// Corners nearer than this are one.
 constexpr double kSameCornerMm = 1e-6;
-constexpr double kCreaseCosine = 0.93969262078590843;  // of kCreaseDeg
 
 std::optional<std::uint32_t> slot_of(const ContactMesh& mesh, const SweepHit& hit) {
   std::optional<std::uint32_t> found;

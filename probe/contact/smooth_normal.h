@@ -8,6 +8,7 @@ namespace g31::probe {
 
 /// Facets that meet at less than this stand for one smooth surface, degrees.
 inline constexpr double kCreaseDeg = 20.0;
+inline constexpr double kCreaseCosine = 0.93969262078590843;  // of kCreaseDeg
 
 /// The unit normal, towards the ball, of the smooth surface that the facets at a contact stand for.
 ///

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "machine/base/contract.h"
+#include "probe/contact/smooth_normal.h"
 
 namespace g31::probe {
 namespace {
@@ -103,6 +104,27 @@ double MeshSweeper::free_share(const Point& p_M_from, const Point& p_M_to, doubl
 std::optional<double> MeshSweeper::distance_if_touching(const Point& p_M_centre) const {
   const std::optional<Touch> touch = mesh_->nearest_within(p_M_centre, radius_ + kTouchBandMm);
   return touch ? std::optional(touch->distance - skin_) : std::nullopt;
+}
+
+std::vector<SweepHit> MeshSweeper::contacts_at(const Point& p_M_centre) const {
+  std::vector<Touch> touches;
+  mesh_->visit_within(p_M_centre, radius_ + kTouchBandMm,
+                      [&](std::uint32_t slot, const Nearest& nearest) {
+                        touches.push_back({slot, nearest.distance});
+                      });
+  std::ranges::sort(touches, {}, &Touch::distance);
+  std::vector<SweepHit> contacts;
+  for (const Touch& touch : touches) {
+    const Nearest nearest = nearest_of(mesh_->triangles()[touch.slot], p_M_centre);
+    const bool is_known = std::ranges::any_of(contacts, [&](const SweepHit& contact) {
+      return contact.n_M.dot(nearest.normal) >= kCreaseCosine;
+    });
+    if (!is_known && mesh_->rests_at(p_M_centre, nearest)) {
+      contacts.push_back(
+          hit_at(SweepStatus::StartInContact, {p_M_centre, Point::Zero(), 0.0}, {0.0, touch.slot}));
+    }
+  }
+  return contacts;
 }
 
 StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "machine/units/point.h"
 #include "parts/geometry/mesh.h"
@@ -90,6 +91,11 @@ class MeshSweeper {
   /// The distance of the ball centre from the mesh if the ball touches or overlaps it; negative in
   /// a true sphere.
   [[nodiscard]] std::optional<double> distance_if_touching(const Point& p_M_centre) const;
+
+  /// Where a ball at rest touches or overlaps the mesh, the deepest first: each place whose
+  /// distance is least compared with the surface around it, and of those whose normals differ by
+  /// less than kCreaseDeg (smooth_normal.h), which are of one surface, the deepest alone.
+  [[nodiscard]] std::vector<SweepHit> contacts_at(const Point& p_M_centre) const;
 
   /// The way until the ball is free.  @param start_distance  where the whole move began
   [[nodiscard]] StraightLeaving leave(const Point& p_M_from, const Point& p_M_to,

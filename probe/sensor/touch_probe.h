@@ -94,7 +94,8 @@ class TouchProbe final : public machine::Surroundings {
     SweepHit hit;
     const Part* part = nullptr;  ///< none: no part was met
     const Tip* ball = nullptr;
-    BallWay way;  ///< of that ball
+    BallWay way;         ///< of that ball
+    double depth = 0.0;  ///< mm: how deep the ball is in, along the normal, where `hit` is
 
     [[nodiscard]] double fraction() const { return way.length > 0.0 ? hit.s / way.length : 0.0; }
   };
@@ -159,6 +160,9 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] machine::SkipTrigger trigger_of(const PartHit& touch) const;
   /// The random shift of a trigger along the move, mm.
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;
+  /// What deflects a ball, the tool standing still.  A ball that is put out of where it is deepest
+  /// and so comes free of another surface is not pressed into that one.
+  [[nodiscard]] std::vector<PartHit> touches_of(const Tip& ball, const machine::Waypoint& at) const;
   /// A touch that the signal comes from, the tool standing still; none: it is off.
   [[nodiscard]] std::optional<PartHit> signalling_touch(const machine::Waypoint& at) const;
   /// mm: how deep a ball that begins in contact is in.

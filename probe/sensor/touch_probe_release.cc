@@ -1,29 +1,44 @@
 // The part of TouchProbe that answers when the stylus comes free.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "parts/geometry/winding_number.h"
 #include "probe/sensor/release.h"
 #include "probe/sensor/touch_probe.h"
 
 namespace g31::probe {
+
+std::vector<TouchProbe::PartHit> TouchProbe::touches_of(const Tip& ball,
+                                                        const machine::Waypoint& at) const {
+  const BallWay here = way_of(ball, machine::sweep_between(at, at));
+  std::vector<PartHit> touches;
+  for (const Part& part : parts_->parts()) {
+    if (!kSensed.is_of(part)) {
+      continue;
+    }
+    for (const SweepHit& hit : part.sweepers[ball.size].contacts_at(here.p_M_from)) {
+      touches.push_back({hit, &part, &ball, here});
+      touches.back().depth = depth_of(touches.back());
+    }
+  }
+  if (touches.size() > 1) {
+    const PartHit deepest = *std::ranges::max_element(touches, {}, &PartHit::depth);
+    std::erase_if(touches, [&](const PartHit& touch) {
+      const double pushed_out = deepest.depth * deepest.hit.n_M.dot(touch.hit.n_M);
+      return touch.depth < pushed_out - kTouchBandMm;
+    });
+  }
+  return touches;
+}
+
 std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::Waypoint& at) const {
-  const machine::Sweep still = machine::sweep_between(at, at);
   for (const Tip& ball : balls_) {
-    const BallWay way = way_of(ball, still);
-    for (const Part& part : parts_->parts()) {
-      if (!kSensed.is_of(part)) {
-        continue;
-      }
-      const MeshSweeper& sweeper = part.sweepers[ball.size];
-      const auto distance = sweeper.distance_if_touching(way.p_M_from);
-      if (!distance) {
-        continue;
-      }
-      const PartHit touch{sweeper.sweep(way.p_M_from, way.p_M_to), &part, &ball, way};
+    for (const PartHit& touch : touches_of(ball, at)) {
       const auto wanted = deflection_wanted(touch.hit.n_M, at.tilt);
-      if (wanted && ball.radius - *distance >= *wanted - kTouchBandMm) {
+      if (wanted && touch.depth >= *wanted - kTouchBandMm) {
         return touch;
       }
     }

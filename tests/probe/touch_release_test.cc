@@ -62,5 +62,56 @@ TEST(TouchRelease, AMonoProbeAcrossIsSilentFromTheSideFromWhichItNeverRises) {
   EXPECT_TRUE(probe.signals_at({0.0, at({12, 5, 5})}, 1));
 }
 
+/// A mono probe that turns its switch towards +X.
+ProbeSetup mono_probe() {
+  ProbeSetup setup = ball_at_the_axes();
+  setup.at_switch.type = ProbeType::Mono;
+  return setup;
+}
+
+TEST(TouchRelease, ABallExactlyInTouchIsDeflectedFromThatSide) {
+  // Right over a face, an edge and a corner of the block: 3 mm from each.
+  const Point kPlaces[] = {{5.3, 5.4, 13.0}, {-1.8, 5.0, 12.4}, {-1.0, -2.0, 12.0}};
+  const Point kNormals[] = {{0, 0, 1}, {-0.6, 0, 0.8}, {-1.0 / 3, -2.0 / 3, 2.0 / 3}};
+  TouchProbe probe(ball_at_the_axes(), {{"block", testing::box_mesh({10, 10, 10})}}, 0);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(probe.signals_at({0.0, at(kPlaces[i])}, 1));
+    EXPECT_FALSE(probe.signals_at({0.0, at(kPlaces[i] + 1e-8 * kNormals[i])}, 1));
+    const auto fall = testing::release_along(
+        probe, Way{{0.0, at(kPlaces[i])}, {1.0, at(kPlaces[i] + 10.0 * kNormals[i])}});
+    ASSERT_TRUE(fall.has_value());
+    EXPECT_FALSE(fall->on_at_start);
+    EXPECT_NEAR(fall->fraction, 0.0, 1e-9);
+    ASSERT_TRUE(fall->contact.has_value());
+    EXPECT_NEAR((fall->contact->n_M - kNormals[i]).norm(), 0.0, 1e-14);
+    EXPECT_NEAR((fall->contact->p_M_point - (kPlaces[i] - 3.0 * kNormals[i])).norm(), 0.0, 1e-14);
+  }
+}
+
+TEST(TouchRelease, AMonoProbeExactlyInTouchSignalsFromItsSides) {
+  TouchProbe probe(mono_probe(), {{"block", testing::box_mesh({10, 10, 10})}}, 0);
+  EXPECT_TRUE(probe.signals_at({0.0, at({5.3, 5.4, 13.0})}, 1));
+  EXPECT_TRUE(probe.signals_at({0.0, at({-3.0, 5.4, 5.0})}, 1));
+  EXPECT_FALSE(probe.signals_at({0.0, at({13.0, 5.4, 5.0})}, 1));
+  EXPECT_FALSE(probe.signals_at({0.0, at({5.3, -3.0, 5.0})}, 1));
+}
+
+/// Two walls, the way to +X and the way to +Y: the centre may go up to X 0 and Y 0.
+std::vector<ProbedPart> corner() {
+  return {{"side", testing::moved_by(testing::box_mesh({60, 10, 20}), {-50, 3, -10})},
+          {"wall", testing::moved_by(testing::box_mesh({10, 60, 20}), {3, -50, -10})}};
+}
+
+TEST(TouchRelease, InACornerEachWallCountsByItsOwnDeflection) {
+  TouchProbe probe(mono_probe(), corner(), 0);
+  EXPECT_FALSE(probe.signals_at({0.0, at({-1e-8, 0.3, 0.0})}, 1)) << "only the side is touched";
+  EXPECT_TRUE(probe.signals_at({0.0, at({0.0, 0.3, 0.0})}, 1));
+  const auto fall =
+      testing::release_along(probe, Way{{0.0, at({0.1, 0.3, 0})}, {1.0, at({-0.9, 0.3, 0})}});
+  ASSERT_TRUE(fall.has_value());
+  EXPECT_NEAR(fall->fraction, 0.1, 1e-8);
+  EXPECT_EQ(fall->contact->part, "wall");
+}
+
 }  // namespace
 }  // namespace g31::probe::touch_release_test
