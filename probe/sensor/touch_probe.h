@@ -45,7 +45,8 @@ class TouchProbe final : public machine::Surroundings {
 
   /// Rising: the contact in the answer is the true one; `fraction` carries deflection and random
   /// shift.  Falling: where every ball has come out as far as the signal needs, shifted at random
-  /// as a touch is; the contact is that of the ball at the start of the piece where it happens.
+  /// as a touch is, be it that the straight way ends in another touch; the contact is the one that
+  /// held the signal on.
   std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
                                                    const machine::Listening& to) override;
 
@@ -165,6 +166,14 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] std::vector<PartHit> touches_of(const Tip& ball, const machine::Waypoint& at) const;
   /// A touch that the signal comes from, the tool standing still; none: it is off.
   [[nodiscard]] std::optional<PartHit> signalling_touch(const machine::Waypoint& at) const;
+  /// The share of a piece after which a signal that is on at its start goes off, whatever comes
+  /// behind.  @param touch  at its start, then the last one from which the signal came
+  [[nodiscard]] std::optional<double> release_on(const machine::Waypoint& from,
+                                                 const machine::Waypoint& to, PartHit& touch) const;
+  /// After which share of a piece this touch, at its start, is off: on the tangent plane, or where
+  /// the ball comes free of the part.
+  [[nodiscard]] double share_to_off(const PartHit& touch, const machine::Waypoint& at,
+                                    const machine::Waypoint& to) const;
   /// mm: how deep a ball that begins in contact is in.
   static double depth_of(const PartHit& touch);
   /// mm along this normal; nullopt: a touch from there never gives a signal.

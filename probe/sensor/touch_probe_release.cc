@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -76,22 +77,57 @@ std::optional<machine::SkipTrigger> TouchProbe::first_release_along(Points way) 
   }
   double length = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const machine::Waypoint& from = way[i - 1];
-    const machine::Waypoint& to = way[i];
-    const double piece = machine::distance_mm(from.q_M, to.q_M);
-    if (auto next = signalling_touch(to)) {
-      touch = std::move(next);
-      length += piece;
-      continue;
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
+    if (const auto off = release_on(way[i - 1], way[i], *touch)) {
+      machine::SkipTrigger trigger = trigger_of(*touch);
+      trigger.delay_s = setup_.trigger_delay_s;
+      trigger.fraction = machine::fraction_after(way, length + *off * piece + trigger_shift(event));
+      return trigger;
     }
-    const double off = share_to_release(
-        from, to, [this](const machine::Waypoint& at) { return signalling_touch(at).has_value(); });
-    machine::SkipTrigger trigger = trigger_of(*touch);
-    trigger.delay_s = setup_.trigger_delay_s;
-    trigger.fraction = machine::fraction_after(way, length + off * piece + trigger_shift(event));
-    return trigger;
+    length += piece;
   }
   return std::nullopt;
+}
+
+std::optional<double> TouchProbe::release_on(const machine::Waypoint& from,
+                                             const machine::Waypoint& to, PartHit& touch) const {
+  // Where a hollow surface is left at a slant, a few steps lead out of it.
+  constexpr int kMostSteps = 100;
+  double on = 0.0;
+  for (int step = 0; on < 1.0; ++step) {
+    const machine::Waypoint here = between(from, to, on);
+    const double share = step < kMostSteps ? share_to_off(touch, here, to) : 1.0;
+    const double next = std::min(1.0, on + (1.0 - on) * share);
+    const machine::Waypoint there = next < 1.0 ? between(from, to, next) : to;
+    auto then = signalling_touch(there);
+    if (!then) {
+      const auto is_on = [this](const machine::Waypoint& at) {
+        return signalling_touch(at).has_value();
+      };
+      return on + (next - on) * share_to_release(here, there, is_on);
+    }
+    touch = *std::move(then);
+    on = next;
+  }
+  return std::nullopt;
+}
+
+double TouchProbe::share_to_off(const PartHit& touch, const machine::Waypoint& at,
+                                const machine::Waypoint& to) const {
+  const Point p_M_to = centre_of(*touch.ball, to);
+  const double outwards = touch.hit.n_M.dot(p_M_to - touch.way.p_M_from);
+  const double wanted = deflection_wanted(touch.hit.n_M, at.tilt).value_or(0.0);
+  // A signal is on until the touch is out by the touch band.
+  const double on_tangent_plane = touch.depth - wanted + 2.0 * kTouchBandMm;
+  if (outwards > on_tangent_plane) {
+    return on_tangent_plane / outwards;
+  }
+  // Over an edge the ball leaves all of the part before its tangent plane.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr LeavingRule kWhateverComes{kInfinity, kInfinity};
+  return touch.part->sweepers[touch.ball->size]
+      .leave(touch.way.p_M_from, p_M_to, touch.ball->radius, kWhateverComes)
+      .share;
 }
 
 }  // namespace g31::probe

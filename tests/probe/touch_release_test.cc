@@ -1,5 +1,7 @@
 // Where the signal of a touch probe goes off again, and whether it is on where the probe stands.
 
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -111,6 +113,50 @@ TEST(TouchRelease, InACornerEachWallCountsByItsOwnDeflection) {
   ASSERT_TRUE(fall.has_value());
   EXPECT_NEAR(fall->fraction, 0.1, 1e-8);
   EXPECT_EQ(fall->contact->part, "wall");
+}
+
+/// A slot along Y: the centre may go from X -7 to X 7.  In one mesh, and as two parts.
+std::vector<std::vector<ProbedPart>> slots() {
+  const parts::Mesh right = testing::moved_by(testing::box_mesh({10, 60, 20}), {10, -30, -10});
+  parts::Mesh both = testing::moved_by(right, {-30, 0, 0});
+  const std::vector<ProbedPart> two = {{"left", both}, {"right", right}};
+  const auto count = static_cast<std::uint32_t>(both.vertices.size());
+  both.vertices.insert(both.vertices.end(), right.vertices.begin(), right.vertices.end());
+  for (const auto& triangle : right.triangles) {
+    both.triangles.push_back({triangle[0] + count, triangle[1] + count, triangle[2] + count});
+  }
+  return {two, {{"slot", both}}};
+}
+
+TEST(TouchRelease, IsFoundOnAStraightWayThatEndsInAnotherWall) {
+  ProbeSetup setup = ball_at_the_axes();
+  setup.at_switch.pre_travel_mm = 0.25;
+  for (const std::vector<ProbedPart>& parts : slots()) {
+    TouchProbe probe(setup, parts, 0);
+    // From X 8, on from X 7.25: head-on, and at a slant.
+    for (const double y : {0.0, 20.0}) {
+      const auto fall =
+          testing::release_along(probe, Way{{0.0, at({8, 0, 0})}, {1.0, at({-7.5, y, 0})}});
+      ASSERT_TRUE(fall.has_value());
+      EXPECT_NEAR(8.0 - 15.5 * fall->fraction, 7.25, 1e-8);
+      EXPECT_EQ(fall->contact->part, parts.back().name);
+      EXPECT_EQ(fall->contact->n_M, -Point::UnitX());
+    }
+  }
+}
+
+TEST(TouchRelease, IsFoundWhereTheBallSlidesOffAnEdgeAndOnToAnotherBlock) {
+  // Along the tops of two blocks, 1 mm deep: the ball is on the edge at X 10 until it is 3 mm from
+  // it, sqrt(9 - 4) further; at 30 - sqrt(5) it comes on to the other one.
+  TouchProbe probe(ball_at_the_axes(),
+                   {{"block", testing::box_mesh({10, 10, 10})},
+                    {"another", testing::moved_by(testing::box_mesh({10, 10, 10}), {30, 0, 0})}},
+                   0);
+  const auto fall =
+      testing::release_along(probe, Way{{0.0, at({5, 5, 12})}, {1.0, at({35, 5, 12})}});
+  ASSERT_TRUE(fall.has_value());
+  EXPECT_NEAR(5.0 + 30.0 * fall->fraction, 10.0 + std::sqrt(5.0), 1e-8);
+  EXPECT_EQ(fall->contact->part, "block");
 }
 
 }  // namespace
