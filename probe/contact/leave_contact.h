@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "parts/geometry/box.h"
@@ -28,6 +29,10 @@ inline constexpr LeavingRule kLeaveFreely{1e-3, 0.25881904510252074};  // sin 15
 
 /// For probing: only what leads away or along is no contact.
 inline constexpr LeavingRule kLeaveExactly{kTouchBandMm, 1e-3};
+
+/// To find where the ball is free, whatever it comes to before.
+inline constexpr LeavingRule kLeaveAtAnyDepth{std::numeric_limits<double>::infinity(),
+                                              std::numeric_limits<double>::infinity()};
 
 /// How the beginning of a way ends.
 struct Leaving {

@@ -127,6 +127,19 @@ std::vector<SweepHit> MeshSweeper::contacts_at(const Point& p_M_centre) const {
   return contacts;
 }
 
+bool MeshSweeper::can_touch_only(const Point& n_M, const Point& p_M_centre, double reach) const {
+  const double within = radius_ + reach + kBoxMarginMm;
+  bool only = true;
+  mesh_->tree().visit_near(p_M_centre, within, [&](std::uint32_t slot) {
+    const Nearest nearest = nearest_of(mesh_->triangles()[slot], p_M_centre);
+    // The way to the nearest point of a triangle changes by no more than the centre moves.
+    const double along = nearest.distance * nearest.normal.dot(n_M) - reach;
+    only = only && (nearest.distance > within || along >= radius_ * kCreaseCosine);
+    return only ? within : 0.0;
+  });
+  return only;
+}
+
 StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,
                                    double start_distance, const LeavingRule& rule) const {
   const parts::Path path = path_between(p_M_from, p_M_to);

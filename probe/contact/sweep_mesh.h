@@ -97,6 +97,10 @@ class MeshSweeper {
   /// less than kCreaseDeg (smooth_normal.h), which are of one surface, the deepest alone.
   [[nodiscard]] std::vector<SweepHit> contacts_at(const Point& p_M_centre) const;
 
+  /// Whether a ball that moves from here by no more than `reach` mm, wherever to, can touch only
+  /// what has a normal within kCreaseDeg of this one; of the zero vector: nothing at all.
+  [[nodiscard]] bool can_touch_only(const Point& n_M, const Point& p_M_centre, double reach) const;
+
   /// The way until the ball is free.  @param start_distance  where the whole move began
   [[nodiscard]] StraightLeaving leave(const Point& p_M_from, const Point& p_M_to,
                                       double start_distance, const LeavingRule& rule) const;

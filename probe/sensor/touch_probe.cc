@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "machine/base/contract.h"
@@ -17,6 +18,9 @@ namespace {
 
 /// The random stream of the trigger's repeatability; other models take other numbers.
 constexpr std::uint32_t kRepeatabilityStream = 1;
+
+/// A signal that could come earlier by no more than this is not looked for.
+constexpr double kSoonMm = 1e-6;
 
 }  // namespace
 
@@ -90,48 +94,70 @@ std::optional<machine::SkipTrigger> TouchProbe::first_signal(const machine::Way&
 
 std::optional<machine::SkipTrigger> TouchProbe::first_touch_along(Points way) {
   const std::uint64_t event = triggers_asked_++;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const machine::Waypoint& from = way[i - 1];
-    const machine::Waypoint& to = way[i];
-    if (!machine::differ(from, to)) {
+  std::optional<machine::SkipTrigger> first;
+  for (const Tip& ball : balls_) {
+    const auto signal = first_signal(ball, way, first ? first->fraction : 1.0);
+    if (!signal) {
       continue;
     }
-    if (const auto signal = first_signal(machine::sweep_between(from, to))) {
-      const std::vector<machine::Waypoint> of_ball = way_of(*signal->touch.ball, way);
-      const double gone = machine::length_of(std::span(of_ball).first(i));
-      const double distance = gone + signal->distance;
-      if (distance > machine::length_of(of_ball)) {
-        return std::nullopt;
-      }
-      machine::SkipTrigger trigger = trigger_of(signal->touch);
-      trigger.on_at_start = signal->on_at_start && gone == 0.0;
-      if (!trigger.on_at_start) {
-        trigger.delay_s = setup_.trigger_delay_s;
-        trigger.fraction = machine::fraction_after(of_ball, distance + trigger_shift(event));
-      }
+    machine::SkipTrigger trigger = trigger_of(signal->touch);
+    trigger.on_at_start = signal->on_at_start;
+    if (trigger.on_at_start) {
       return trigger;
+    }
+    trigger.delay_s = setup_.trigger_delay_s;
+    trigger.fraction =
+        machine::fraction_after(way_of(ball, way), signal->distance + trigger_shift(event));
+    if (!first || trigger.fraction < first->fraction) {
+      first = std::move(trigger);
+    }
+  }
+  return first;
+}
+
+std::optional<TouchProbe::Signal> TouchProbe::first_signal(const Tip& ball, Points way,
+                                                           double until) const {
+  Search search{ball, 0.0, std::nullopt};
+  for (std::size_t i = 1; i < way.size() && way[i - 1].fraction <= until; ++i) {
+    if (!machine::differ(way[i - 1], way[i])) {
+      continue;
+    }
+    look_on(search, machine::sweep_between(way[i - 1], way[i]));
+    if (search.first && search.first->distance <= search.gone) {
+      return search.first;
     }
   }
   return std::nullopt;
 }
 
-std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep& sweep) const {
-  PartHit touch = first_hit(sweep, &MeshSweeper::sweep, kSensed);
-  if (touch.part == nullptr) {
-    return std::nullopt;
-  }
-  if (touch.hit.status == SweepStatus::StartInContact) {
-    if (const auto more = way_to_signal(touch, depth_of(touch), sweep)) {
-      return Signal{touch, std::max(0.0, *more), *more < 0.0};
+void TouchProbe::look_on(Search& search, const machine::Sweep& sweep) const {
+  const BallWay way = way_of(search.ball, sweep);
+  const double begin = search.gone;
+  search.gone += way.length;
+  PressedSurfaces surfaces = surfaces_on(search.ball, way);
+  std::optional<Signal>& first = search.first;
+  double until = first ? first->distance - begin : std::numeric_limits<double>::infinity();
+  while (const auto surface = surfaces.next(until)) {
+    if (first && first->touch.part == surface->part &&
+        first->touch.hit.n_M.dot(surface->hit.n_M) >= kCreaseCosine) {
+      continue;  // what the signal comes from
     }
-    // The stylus comes free without a signal; then it may touch something else.
-    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving, kSensed);
-    if (touch.part == nullptr) {
-      return std::nullopt;
+    const auto more = way_to_signal(*surface, way, sweep.tilt_from);
+    const double at = surface->s + std::max(0.0, more.value_or(0.0));
+    if (more && (at < until || !first)) {
+      const bool on_at_start = *more < 0.0 && begin + surface->s == 0.0;
+      first = Signal{{surface->hit, surface->part, &search.ball, way}, begin + at, on_at_start};
+      until = at;
+    }
+    // From a free start no deflection is longer than the way since the first touch.
+    if (surface->is_from_free && until - surface->s <= setup_.at_switch.pre_travel_mm + kSoonMm) {
+      return;
     }
   }
-  const auto more = way_to_signal(touch, 0.0, sweep);
-  return more ? std::optional(Signal{touch, touch.hit.s + *more, false}) : std::nullopt;
+}
+
+PressedSurfaces TouchProbe::surfaces_on(const Tip& ball, const BallWay& way) const {
+  return {parts_->parts(), {ball.radius, ball.size}, way.p_M_from, way.p_M_to};
 }
 
 machine::SkipTrigger TouchProbe::trigger_of(const PartHit& touch) const {
@@ -289,21 +315,20 @@ std::optional<double> TouchProbe::deflection_wanted(const Point& n_M,
   return deflection_to_trigger(setup_.at_switch, n_S);
 }
 
-std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,
-                                                const machine::Sweep& sweep) const {
-  const auto wanted = deflection_wanted(touch.hit.n_M, sweep.tilt_from);
+std::optional<double> TouchProbe::way_to_signal(const Pressed& surface, const BallWay& way,
+                                                const Eigen::Quaterniond& tilt) const {
+  const auto wanted = deflection_wanted(surface.hit.n_M, tilt);
   if (!wanted) {
     return std::nullopt;
   }
-  if (depth > *wanted + kTouchBandMm) {
-    return *wanted - depth;
+  if (surface.depth > *wanted + kTouchBandMm) {
+    return *wanted - surface.depth;
   }
-  const double missing = std::max(0.0, *wanted - depth);
-  if (depth == 0.0 && missing == 0.0) {
+  const double missing = std::max(0.0, *wanted - surface.depth);
+  if (surface.depth == 0.0 && missing == 0.0) {
     return 0.0;
   }
-  const double length = touch.way.length;
-  const double inwards = length > 0.0 ? -touch.hit.n_M.dot(touch.way.along() / length) : 0.0;
+  const double inwards = way.length > 0.0 ? -surface.hit.n_M.dot(way.along() / way.length) : 0.0;
   return inwards > 0.0 ? std::optional(missing / inwards) : std::nullopt;
 }
 

@@ -13,6 +13,7 @@
 #include "machine/port/surroundings.h"
 #include "probe/collision/rigid_touch.h"
 #include "probe/contact/sweep_mesh.h"
+#include "probe/sensor/pressed_surfaces.h"
 #include "probe/sensor/probe_setup.h"
 #include "probe/sensor/touchable_parts.h"
 #include "probe/tooling/spindle.h"
@@ -25,11 +26,12 @@ namespace g31::probe {
 /// further balls and the rigid sections where they are from there; all of it turns about the
 /// spindle axis, and with the tilt of a sweep about the tool tip.  In a turret no spindle turns it.
 ///
-/// The signal comes when the ball is pushed in by the deflection that pre_travel.h says, shifted
-/// along the move by a normal random number of standard deviation `repeatability_mm`, but never out
-/// of the move.  A move that ends before the deflection is reached gives no signal.  The n-th
-/// question for a trigger takes the n-th random number, whether it touches or not: the same seed
-/// and program give the same touches.
+/// The signal comes when the ball is pushed into one of the surfaces that it meets
+/// (pressed_surfaces.h) by the deflection that pre_travel.h says for its normal; the earliest
+/// counts. It is shifted along the move by a normal random number of standard deviation
+/// `repeatability_mm`, but never out of the move.  A move that ends before the deflection is
+/// reached gives no signal.  The n-th question for a trigger takes the n-th random number, whether
+/// it touches or not: the same seed and program give the same touches.
 ///
 /// Accuracy: the contact as MeshSweeper finds it, kContactErrorMm.  The deflection is taken on the
 /// tangent plane of the contact: exact on a plane and head-on, otherwise within d^2 / 2R for a
@@ -58,8 +60,8 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] std::string stands_inside(const machine::Waypoint& at) const override;
 
   /// On a skip move a rigid section touching, or a ball pushed deeper than the deflection limit,
-  /// measured along the surface normal; on others the ball touching a part, or a rigid section.
-  /// Leaving a contact of the ball is free, pushing deeper into it is not.
+  /// measured along the normal of any surface that it meets; on others the ball touching a part, or
+  /// a rigid section. Leaving a contact of the ball is free, pushing deeper into it is not.
   ///
   /// Accuracy on a curve: kCurveErrorMm for the ball, kSectionTouchErrorMm for a rigid section.
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
@@ -96,7 +98,7 @@ class TouchProbe final : public machine::Surroundings {
     const Part* part = nullptr;  ///< none: no part was met
     const Tip* ball = nullptr;
     BallWay way;         ///< of that ball
-    double depth = 0.0;  ///< mm: how deep the ball is in, along the normal, where `hit` is
+    double depth = 0.0;  ///< mm: how deep the ball is in, along the normal, the tool standing still
 
     [[nodiscard]] double fraction() const { return way.length > 0.0 ? hit.s / way.length : 0.0; }
   };
@@ -114,8 +116,14 @@ class TouchProbe final : public machine::Surroundings {
 
   struct Signal {
     PartHit touch;
-    double distance = 0.0;  ///< mm of the ball's way from the start of the sweep
+    double distance = 0.0;  ///< mm of the ball's way from the start of the move
     bool on_at_start = false;
+  };
+  /// The way of one ball in a move, as far as it has been looked at.
+  struct Search {
+    const Tip& ball;
+    double gone = 0.0;            ///< mm: where the piece begins
+    std::optional<Signal> first;  ///< be it behind the piece
   };
   using Points = std::span<const machine::Waypoint>;
   [[nodiscard]] bool is_wired(int input) const;
@@ -138,7 +146,11 @@ class TouchProbe final : public machine::Surroundings {
   /// The fraction of the sweep at which a ball that begins pushed in has come out; 0: it does not
   /// begin so.
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
-  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const PartHit& touch) const;
+  /// mm: the deflection that breaks the stylus.
+  [[nodiscard]] double limit_of(const Tip& ball) const;
+  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const Pressed& surface,
+                                                                 const Tip& ball,
+                                                                 const BallWay& way) const;
   void add(const ToolBody& body);
   void note(const machine::ToolChange& change);
   void note(const machine::SpindleTurn& turn);
@@ -155,8 +167,11 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] std::vector<machine::Waypoint> way_of(const Tip& ball, Points way) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question,
                                   const Asked& asked) const;
-  /// Where the deflection of a touch on this sweep is reached, be it behind its end.
-  [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;
+  [[nodiscard]] PressedSurfaces surfaces_on(const Tip& ball, const BallWay& way) const;
+  /// The first signal that a ball gives on a way.  @param until  fraction, not to be looked behind
+  [[nodiscard]] std::optional<Signal> first_signal(const Tip& ball, Points way, double until) const;
+  /// Looks at one more piece.
+  void look_on(Search& search, const machine::Sweep& sweep) const;
   /// Contact and number of signals.
   [[nodiscard]] machine::SkipTrigger trigger_of(const PartHit& touch) const;
   /// The random shift of a trigger along the move, mm.
@@ -179,10 +194,10 @@ class TouchProbe final : public machine::Surroundings {
   /// mm along this normal; nullopt: a touch from there never gives a signal.
   [[nodiscard]] std::optional<double> deflection_wanted(const Point& n_M,
                                                         const Eigen::Quaterniond& tilt) const;
-  /// mm from the touch to the signal, negative where the ball is deeper in than that already;
-  /// nullopt: no signal from this touch.  @param depth  of the ball in the part, mm
-  [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, double depth,
-                                                    const machine::Sweep& sweep) const;
+  /// mm from where it begins to the signal, negative where the ball is deeper in than that already;
+  /// nullopt: no signal from this surface.
+  [[nodiscard]] std::optional<double> way_to_signal(const Pressed& surface, const BallWay& way,
+                                                    const Eigen::Quaterniond& tilt) const;
 
   ProbeSetup setup_;
   std::vector<Tip> balls_;

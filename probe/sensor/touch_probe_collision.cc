@@ -82,18 +82,29 @@ std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::CurvedW
 }
 
 std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& sweep) const {
-  PartHit touch = first_hit(sweep, &MeshSweeper::sweep, kSensed);
-  if (touch.part != nullptr && touch.hit.status == SweepStatus::StartInContact &&
-      touch.hit.n_M.dot(touch.way.along()) >= 0.0) {
-    // The stylus comes free; then it may be pushed into something else.
-    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving, kSensed);
+  std::optional<machine::Obstacle> broken;
+  double pushed_from = 2.0;
+  for (const Tip& ball : balls_) {
+    const BallWay way = way_of(ball, sweep);
+    PressedSurfaces surfaces = surfaces_on(ball, way);
+    double until = way.length;
+    while (const auto surface = surfaces.next(until)) {
+      if (surface->hit.n_M.dot(way.along()) < 0.0) {
+        pushed_from = std::min(pushed_from, way.length > 0.0 ? surface->s / way.length : 0.0);
+      }
+      if (auto obstacle = over_deflection(*surface, ball, way)) {
+        until = obstacle->fraction * way.length;
+        broken = earlier(std::move(broken), std::move(obstacle));
+      }
+      // From a free start no deflection is longer than the way since the first touch.
+      if (surface->is_from_free && way.length - surface->s <= limit_of(ball)) {
+        break;
+      }
+    }
   }
   const PartHit barred = first_hit(sweep, &MeshSweeper::first_contact_leaving, kBarredOnSkip);
   auto body = touch_of(rigid_, sweep);
   auto stem = touch_of(stem_, sweep);
-  const double pushed_from = touch.part == nullptr                             ? 2.0
-                             : touch.hit.status == SweepStatus::StartInContact ? 0.0
-                                                                               : touch.fraction();
   if (stem && stem->fraction >= pushed_from) {
     stem.reset();
   }
@@ -101,7 +112,7 @@ std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& swe
                   ? std::optional(obstacle_at(barred.fraction(), barred.hit, barred.part->name))
                   : std::nullopt;
   return earlier(earlier(std::move(body), std::move(stem)),
-                 earlier(over_deflection(touch), std::move(ball)));
+                 earlier(std::move(broken), std::move(ball)));
 }
 
 std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
@@ -173,23 +184,25 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine:
   return first ? first : rigid_touch_on_curve(curve, middle, end);
 }
 
-std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch) const {
-  const double length = touch.way.length;
-  if (touch.part == nullptr || length == 0.0) {
+double TouchProbe::limit_of(const Tip& ball) const {
+  return std::min(setup_.deflection_limit_mm, ball.radius);
+}
+
+std::optional<machine::Obstacle> TouchProbe::over_deflection(const Pressed& surface,
+                                                             const Tip& ball,
+                                                             const BallWay& way) const {
+  if (way.length == 0.0) {
     return std::nullopt;
   }
-  const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
-  const double touched_at = in_contact ? 0.0 : touch.hit.s;
-  const double depth = in_contact ? depth_of(touch) : 0.0;
-  const double inwards = -touch.hit.n_M.dot(touch.way.along()) / length;
-  const double limit = std::min(setup_.deflection_limit_mm, touch.ball->radius);
-  if (inwards <= 0.0 || depth + (length - touched_at) * inwards <= limit) {
+  const double inwards = -surface.hit.n_M.dot(way.along()) / way.length;
+  const double limit = limit_of(ball);
+  if (inwards <= 0.0 || surface.depth + (way.length - surface.s) * inwards <= limit) {
     return std::nullopt;
   }
-  const double broken_at = touched_at + std::max(0.0, limit - depth) / inwards;
-  auto obstacle = obstacle_at(broken_at / length, touch.hit, touch.part->name);
+  const double broken_at = surface.s + std::max(0.0, limit - surface.depth) / inwards;
+  auto obstacle = obstacle_at(broken_at / way.length, surface.hit, surface.part->name);
   obstacle.what = fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit,
-                              touch.part->name);
+                              surface.part->name);
   return obstacle;
 }
 

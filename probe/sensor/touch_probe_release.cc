@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -123,10 +122,8 @@ double TouchProbe::share_to_off(const PartHit& touch, const machine::Waypoint& a
     return on_tangent_plane / outwards;
   }
   // Over an edge the ball leaves all of the part before its tangent plane.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr LeavingRule kWhateverComes{kInfinity, kInfinity};
   return touch.part->sweepers[touch.ball->size]
-      .leave(touch.way.p_M_from, p_M_to, touch.ball->radius, kWhateverComes)
+      .leave(touch.way.p_M_from, p_M_to, touch.ball->radius, kLeaveAtAnyDepth)
       .share;
 }
 
