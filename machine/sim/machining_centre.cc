@@ -241,7 +241,7 @@ void MachiningCentre::dwell(double seconds) {
     find_late(wait_really(seconds));
     return;
   }
-  if (sampler_) {
+  if (is_watched()) {
     show(StraightPath(q_M_, q_M_), {}, seconds);
   }
   clock_.advance(seconds);
@@ -282,6 +282,11 @@ void MachiningCentre::end_trace() {
   if (sampler_) {
     sampler_->end();
   }
+}
+
+void MachiningCentre::tell_motions_to(MotionListener& listener) {
+  continuous_.keep_ways();
+  listener_ = &listener;
 }
 
 MachineFault MachiningCentre::soft_limit_fault(const AxisPositions& q_M_end) const {
@@ -346,7 +351,7 @@ MaybeFault MachiningCentre::carry_out_ideally(const Path& path, const Profile& p
     auto obstacle = obstacle_on(path, how.travel);
     if (obstacle) {
       const double seconds = profile.time_at(obstacle->fraction * profile.length());
-      if (sampler_) {
+      if (is_watched()) {
         MotionPhases phases = profile.phases();
         phases.cut_at(seconds);
         show(path, phases, seconds);
@@ -355,7 +360,7 @@ MaybeFault MachiningCentre::carry_out_ideally(const Path& path, const Profile& p
       return stop_at(*std::move(obstacle), q_M_stop, seconds);
     }
   }
-  if (sampler_) {
+  if (is_watched()) {
     show(path, profile.phases(), profile.duration_s());
   }
   clock_.advance(profile.duration_s());
@@ -399,16 +404,22 @@ MaybeFault MachiningCentre::wait_really(double seconds) {
   return std::nullopt;
 }
 
+void MachiningCentre::show(const ExecutedMotion& motion) {
+  if (sampler_) {
+    sampler_->show(motion, resolution_);
+  }
+  if (listener_ != nullptr) {
+    listener_->on_motion(motion);
+  }
+}
+
 void MachiningCentre::show(const CommandedPath& path, const MotionPhases& phases,
                            double duration_s) {
-  sampler_->show({clock_.now_s(), duration_s, real_.motion(path, phases), real_.truth()},
-                 resolution_);
+  show({clock_.now_s(), duration_s, real_.motion(path, phases), real_.truth()});
 }
 
 void MachiningCentre::follow(const ServoMotion& motion, double duration_s) {
-  if (sampler_) {
-    sampler_->show({clock_.now_s(), duration_s, motion, real_.truth()}, resolution_);
-  }
+  show({clock_.now_s(), duration_s, motion, real_.truth()});
   real_.follow(motion, duration_s);
   clock_.advance(duration_s);
 }

@@ -12,6 +12,7 @@
 #include "machine/sim/continuous_path.h"
 #include "machine/sim/led_path.h"
 #include "machine/sim/machine_setup.h"
+#include "machine/sim/motion_listener.h"
 #include "machine/sim/motion_sampler.h"
 #include "machine/sim/real_axes.h"
 #include "machine/sim/travel_limits.h"
@@ -91,6 +92,8 @@ class MachiningCentre final : public MachinePort {
   void trace(double period_s, TraceSink& sink);
   /// Takes a last sample, of where all motion has ended.
   void end_trace();
+  /// Tells of all motion from now on.  @param listener  outlives all motion
+  void tell_motions_to(MotionListener& listener);
 
  private:
   static void expect_legal(const LinearMove& move);
@@ -162,9 +165,12 @@ class MachiningCentre final : public MachinePort {
   SkipOutcome stop_really(Timed<SkipTrigger> trigger, const CommandedPath& path,
                           const MotionProfile& profile, const SkipMove& move);
 
-  // An ideal motion for the trace.
+  // Whether somebody wants to know how the axes go, not only where to.
+  [[nodiscard]] bool is_watched() const { return sampler_ || listener_ != nullptr; }
+  void show(const ExecutedMotion& motion);
+  // An ideal motion, from now on.
   void show(const CommandedPath& path, const MotionPhases& phases, double duration_s);
-  // A motion of real axes: they, the clock and the trace follow it.
+  // A motion of real axes: they, the clock and whoever watches follow it.
   void follow(const ServoMotion& motion, double duration_s);
 
   TravelLimits limits_;
@@ -185,6 +191,7 @@ class MachiningCentre final : public MachinePort {
   RealAxes real_;
   AxisData axis_data_;
   std::optional<MotionSampler> sampler_;
+  MotionListener* listener_ = nullptr;
 };
 
 /// For coordinates within 1000 mm, five times the worst error seen over 20 000 skip moves along one

@@ -48,7 +48,7 @@ SkipOutcome MachiningCentre::go_without_signal(const AxisPositions& q_M_end, con
     const ServoMotion motion = real_.motion(path, profile.phases());
     follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
   } else {
-    if (sampler_) {
+    if (is_watched()) {
       show(path, profile.phases(), profile.duration_s());
     }
     clock_.advance(profile.duration_s());

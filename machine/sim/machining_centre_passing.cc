@@ -169,9 +169,8 @@ void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
   double start_s = clock_.now_s();
   // Ways are also known where axes have not always followed at once: then nobody may want them.
   for (const Travelled& way : passed.ways) {
-    if (sampler_) {
-      sampler_->show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()},
-                     resolution_);
+    if (is_watched()) {
+      show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()});
     }
     start_s += way.duration_s;
   }

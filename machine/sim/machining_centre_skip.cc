@@ -114,7 +114,7 @@ std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
       return stop_for(*std::move(trigger), path, profile, move.after);
     }
   }
-  if (sampler_) {
+  if (is_watched()) {
     show(path, profile.phases(), profile.duration_s());
   }
   clock_.advance(profile.duration_s());
@@ -133,14 +133,14 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
   const AxisPositions q_M_latched =
       in_steps(path.at(fraction_after(fraction, stop.latched_after, profile)), resolution_);
   if (after == AfterSignal::GoOn) {
-    if (sampler_) {
+    if (is_watched()) {
       show(path, profile.phases(), profile.duration_s());
     }
     clock_.advance(profile.duration_s());
     q_M_ = path.to();
     return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
   }
-  if (sampler_) {
+  if (is_watched()) {
     const double latch_s = profile.time_at(fraction * profile.length()) + delays.latch_s;
     MotionPhases phases = profile.phases_braking_at(latch_s + delays.stop_s);
     if (stopping_ == Stopping::Ideal) {

@@ -4,18 +4,9 @@
 #include <optional>
 
 #include "machine/port/trace.h"
-#include "machine/sim/servo_motion.h"
-#include "machine/sim/true_position.h"
+#include "machine/sim/motion_listener.h"
 
 namespace g31::machine {
-
-/// One motion as it was carried out.
-struct ExecutedMotion {
-  double start_s = 0.0;     ///< simulated time
-  double duration_s = 0.0;  ///< how long it lasted, waiting at its end included
-  const ServoMotion& servo;
-  const TruePosition& before;  ///< the state of the axes at its beginning
-};
 
 /// Takes samples at whole multiples of a period, the first at 0, and one where motion ends.
 class MotionSampler {

@@ -8,6 +8,7 @@ import { planesOf } from '../../tools/page/web/src/plan_planes.js';
 import { PlanView } from '../../tools/page/web/src/plan_view.js';
 import { Run } from '../../tools/page/web/src/run.js';
 import { circleOf, cutsOf, outlinesOf, roundOf } from '../../tools/page/web/src/section.js';
+import { curvesOf } from '../../tools/page/web/src/timeline_layers.js';
 import { onScale } from '../../tools/page/web/src/timeline_curves.js';
 import { SolidEdges, cylinder } from '../../tools/page/web/src/solid_edges.js';
 import { between, fromZ, turned, turnedBack } from '../../tools/page/web/src/turn.js';
@@ -68,6 +69,40 @@ test('the ball is where its way has it', () => {
     assert.equal(run.moveAt((from + until) / 2).line, document.moves[index].line);
   }
   run.ballAt(1e9).forEach((value, axis) => near(value, figures.ways.at(-1).points[6 + axis], 1e-9));
+});
+
+/** A rapid of 188 mm up Z that accelerates and brakes with 2000 mm/s2 to 500 mm/s, from 0.3 s on. */
+const RAMP = { a: 2000, v: 500, from: 0.3, long: 188 };
+
+function rampAt(time) {
+  const { a, v, from, long } = RAMP;
+  const up = v / a;
+  const all = up + long / v;
+  const t = Math.min(Math.max(0, time - from), all);
+  if (t < up) return a / 2 * t * t;
+  return t < all - up ? v * (t - up / 2) : long - a / 2 * (all - t) ** 2;
+}
+
+function rampRun() {
+  const { a, v, from, long } = RAMP;
+  const up = v / a;
+  const all = up + long / v;
+  const ramp = v * up / 2;
+  const knots = [[0, 0, 0], [from, 0, 0], [from + up, ramp, v], [from + all - up, long - ramp, v], [from + all, long, 0]];
+  const track = { times: knots.map(([time]) => time), points: knots.flatMap(([, z]) => [45, 0, z]), speeds: knots.flatMap(([, , speed]) => [0, 0, speed]) };
+  const ways = [{ move: 0, kind: 'rapid', time_s: [from, from + all], points: [45, 0, 0, 45, 0, long] }];
+  return { document: { moves: [{ g: 0, to: [45, 0, long], time_s: from + all }], machine_time_s: 1 }, figures: { ways, track } };
+}
+
+test('the ball and its curves are where acceleration has them', () => {
+  const { document, figures } = rampRun();
+  const run = new Run(document, figures);
+  for (let time = 0; time <= 1; time += 0.005) {
+    run.ballAt(time).forEach((value, axis) => near(value, [45, 0, rampAt(time)][axis], 1e-9));
+  }
+  const [, , z] = curvesOf(run, (time) => 1000 * time);
+  assert.ok(z.length > 100, 'a curve that bends has many points');
+  for (const [px, value] of z) near(value, rampAt(px / 1000), 0.6 * RAMP.v / 1000); // within the pixel
 });
 
 const QUARTER = [0, 0, Math.SQRT1_2, Math.SQRT1_2]; // about Z

@@ -277,6 +277,16 @@ void begin_records(const Checked& line, const setup::Job& job, const Tables& tab
   }
 }
 
+/// What the program drives: a page has its ways.
+machine::MachinePort& port_of(const RunOptions& options, machine::MachiningCentre& machine,
+                              picture::WayRecorder& ways) {
+  if (!wants_page(options)) {
+    return machine;
+  }
+  machine.tell_motions_to(ways);
+  return ways;
+}
+
 /// What calls name the main program by.
 std::string main_name(const RunOptions& options) {
   return std::filesystem::path(options.programs.front()).stem().string();
@@ -322,8 +332,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   }
   begin_records(line, job, tables.value(), recorder, machine);
   picture::WayRecorder ways(machine, job, output);
-  machine::MachinePort& port =
-      wants_page(options) ? ways : static_cast<machine::MachinePort&>(machine);
+  machine::MachinePort& port = port_of(options, machine, ways);
   const auto run = session::Run::open(job, *programs.value(), port, recorder);
   if (!run) {
     return run.error();

@@ -1,6 +1,7 @@
 #include "tools/page/figure_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/picture/tip.h"
 
@@ -61,6 +62,27 @@ nlohmann::ordered_json array_of(const Point& p) {
 
 nlohmann::ordered_json array_of(const Eigen::Quaterniond& turn) {
   return Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
+}
+
+Json track_json(const picture::Track& track) {
+  constexpr double kTimeSteps = 1e7;   // in a second
+  constexpr double kPlaceSteps = 1e5;  // in a millimetre
+  constexpr double kSpeedSteps = 1e6;  // in a millimetre a second
+  const auto rounded = [](double value, double steps) {
+    return std::round(value * steps) / steps + 0.0;  // no minus zero
+  };
+  Json times = Json::array();
+  Json points = Json::array();
+  Json speeds = Json::array();
+  for (const picture::TrackKnot& knot : track.knots()) {
+    times.push_back(rounded(knot.time_s, kTimeSteps));
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      points.push_back(rounded(knot.p_M[axis], kPlaceSteps));
+      speeds.push_back(rounded(knot.v_M[axis], kSpeedSteps));
+    }
+  }
+  return {
+      {"times", std::move(times)}, {"points", std::move(points)}, {"speeds", std::move(speeds)}};
 }
 
 nlohmann::ordered_json probe_json(const setup::Job& job) {

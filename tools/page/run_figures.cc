@@ -220,6 +220,7 @@ std::string figures_of(const RunPage& run, const Pictured& pictured, const Repor
   }
   figures["probe"] = probe_json(run.job);
   figures["ways"] = ways_json(run);
+  figures["track"] = track_json(run.track);
   figures["touch"] = touches_json(run, pictured, report);
   figures["collision"] = collision_json(run);
   figures["names"] = names_json(run, pictured.names);

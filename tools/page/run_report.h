@@ -12,6 +12,7 @@
 #include "tools/page/other_run.h"
 #include "tools/page/report.h"
 #include "tools/picture/pictured_part.h"
+#include "tools/picture/track.h"
 #include "tools/picture/way.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
@@ -29,6 +30,7 @@ struct RunPage {
   /// The number that a variable or an offset is, where it is one.
   std::function<std::optional<double>(const expect::What& what)> value;
   std::span<const picture::Way> ways;
+  const picture::Track& track;                ///< of what goes the ways
   std::span<const picture::Mark> contacts;    ///< of skip moves
   std::span<const picture::Mark> collisions;  ///< the last one is what ended the run
   std::vector<picture::PicturedPart> parts;

@@ -18,14 +18,14 @@ enum class PathKind { Rapid, Feed, Skip };
 
 inline constexpr std::size_t kPathKinds = 3;
 
-/// What the stylus ball's centre did in one move.  Where rotary axes turn tool and part against
-/// each other, it is told in the frame of the part, as contacts are.
+/// Along what the stylus ball's centre went in one move; when it is where on it, a Track says.
+/// Where rotary axes turn tool and part against each other, it is told in the frame of the part, as
+/// contacts are.
 struct Way {
   PathKind kind = PathKind::Rapid;
   double time_from_s = 0.0;  ///< simulated time
   double time_to_s = 0.0;    ///< not before time_from_s
-  /// mm, machine frame: two or more, at equal steps of time; of a move that was broken off the last
-  /// step may be shorter.
+  /// mm, machine frame: two or more, the ends of chords to be drawn; not at equal steps of time.
   std::vector<Point> points;
   /// How what carries the ball is turned at the beginning and at the end.
   std::array<Eigen::Quaterniond, 2> turns = {Eigen::Quaterniond::Identity(),

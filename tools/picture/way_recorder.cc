@@ -18,6 +18,8 @@ namespace {
 
 /// A chord: two points, as many bytes as the two forms of a scene and memory take.
 constexpr std::uint64_t kChordBytes = 128;
+/// A knot of the track: seven numbers, of which a page has most many times and packs them.
+constexpr std::uint64_t kKnotBytes = 32;
 /// A mark has names and a place in lists.
 constexpr std::uint64_t kMarkBytes = 256;
 
@@ -195,6 +197,7 @@ void WayRecorder::keep_curve(PathKind kind, const Beginning& from, const Path& p
 }
 
 void WayRecorder::keep(Way way, const std::vector<AxisPositions>& q_M) {
+  charge_track();
   std::vector<Point> points;
   points.reserve(q_M.size());
   for (const AxisPositions& q : q_M) {
@@ -212,7 +215,34 @@ void WayRecorder::keep(Way way, const std::vector<AxisPositions>& q_M) {
   ways_.push_back(std::move(way));
 }
 
+void WayRecorder::on_motion(const machine::ExecutedMotion& motion) {
+  const double end_s = motion.start_s + motion.duration_s;
+  std::vector<double> ends_s = {motion.start_s, end_s};
+  for (const machine::MotionPhases& drive : motion.servo.drives()) {
+    double time_s = motion.start_s;
+    for (const machine::MotionPhase& phase : drive.phases()) {
+      ends_s.push_back(std::min(time_s += phase.duration_s, end_s));
+    }
+  }
+  std::ranges::sort(ends_s);
+  track_.go(ends_s, [&](double time_s) {
+    const double after_s = std::max(0.0, time_s - motion.start_s);
+    return stylus_at(motion.servo.encoder_at(after_s)).p_M;
+  });
+}
+
+void WayRecorder::charge_track() {
+  const std::size_t knots = track_.knots().size();
+  if (knots > charged_knots_) {
+    budget_.charge(runtime::Output::Scene, kKnotBytes * (knots - charged_knots_));
+    charged_knots_ = knots;
+  }
+}
+
 void WayRecorder::mark(const machine::MachineFault& fault) {
+  if (!track_.knots().empty()) {
+    track_.stand(machine_.time_s(), stylus().p_M);
+  }
   if (fault.contact) {
     collisions_.push_back(mark_of(*fault.contact, fault.q_M_at));
     collisions_.back().what = fault.what;

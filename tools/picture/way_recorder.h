@@ -8,6 +8,8 @@
 #include "machine/kinematics/axis_chain.h"
 #include "machine/port/machine_port.h"
 #include "machine/sim/axis_dynamics.h"
+#include "machine/sim/motion_listener.h"
+#include "tools/picture/track.h"
 #include "tools/picture/way.h"
 #include "tools/setup/job.h"
 
@@ -20,7 +22,7 @@ namespace g31::picture {
 /// Where rotary axes turn tool and part against each other, all is told in the frame of the part.
 /// Straight moves are two points, moves of such axes and chords of 5 degrees at most, rapids of
 /// each axis on its own 48 chords; moves of no axis leave no way.
-class WayRecorder final : public machine::MachinePort {
+class WayRecorder final : public machine::MachinePort, public machine::MotionListener {
  public:
   /// @param machine  not owned: it must outlive the recorder
   /// @param setup    of that machine
@@ -65,7 +67,10 @@ class WayRecorder final : public machine::MachinePort {
   }
   [[nodiscard]] AxisPositions position() const override { return machine_.position(); }
   [[nodiscard]] double time_s() const override { return machine_.time_s(); }
+  void on_motion(const machine::ExecutedMotion& motion) override;
 
+  /// Of all motion that the machine told of (tell_motions_to).
+  [[nodiscard]] const Track& track() const { return track_; }
   /// In the order of the moves.
   [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
   /// Of skip moves, in order.
@@ -91,6 +96,8 @@ class WayRecorder final : public machine::MachinePort {
   template <typename Path>
   void keep_curve(PathKind kind, const Beginning& from, const Path& path, int chords);
   void keep(Way way, const std::vector<AxisPositions>& q_M);
+  /// Where the track has come since, it is charged for: not in the middle of a motion.
+  void charge_track();
   void mark(const machine::MachineFault& fault);
   /// Told in the frame of the part, the axes standing there.
   [[nodiscard]] Mark mark_of(const machine::Contact& contact, const AxisPositions& q_M) const;
@@ -105,6 +112,8 @@ class WayRecorder final : public machine::MachinePort {
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
   std::size_t skips_ = 0;
   std::vector<Way> ways_;
+  Track track_;
+  std::size_t charged_knots_ = 0;
   std::vector<Mark> contacts_;
   std::vector<Mark> collisions_;
   runtime::OutputBudget& budget_;

@@ -1,5 +1,6 @@
 // What a run says at any time: where the ball is, which move and which line it is, which touches there are.
 
+import { placeAt, trackOf } from './track.js';
 import { UPRIGHT, between, turned } from './turn.js';
 
 /** @typedef {import('./types').Contact} Contact */
@@ -33,6 +34,7 @@ export class Run {
     this.frame = figures.frame ?? { name: '', origin: [0, 0, 0] };
     /** @type {Way[]} */
     this.ways = figures.ways ?? [];
+    this.track = figures.track ?? trackOf(this.ways);
     this.moves = timedMoves(document);
     /** Whether its moves have times: without, a time line has no place for them. */
     this.hasTimes = this.moves.length === (document.moves ?? []).length;
@@ -45,18 +47,7 @@ export class Run {
 
   /** The ball centre in the machine frame; null before the first way. @param {number} time */
   ballAt(time) {
-    if (!this.ways.length) return null;
-    const index = Math.max(0, lastUpTo(this.ways, time, (way) => way.time_s[0]));
-    const { time_s: [from, until], points } = this.ways[index];
-    const steps = points.length / 3 - 1;
-    const place = until > from ? Math.min(1, Math.max(0, (time - from) / (until - from))) * steps : steps;
-    const step = Math.min(Math.floor(place), Math.max(0, steps - 1));
-    const part = place - step;
-    return [0, 1, 2].map((axis) => {
-      const a = points[3 * step + axis];
-      const b = steps > 0 ? points[3 * step + 3 + axis] : a;
-      return a + part * (b - a);
-    });
+    return this.ways.length && this.track.times.length ? placeAt(this.track, time) : null;
   }
 
   /** How what carries the ball is turned. @param {number} time */

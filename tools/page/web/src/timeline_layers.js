@@ -1,7 +1,9 @@
 // What the time line draws, thinned to what its pixels can show: a run of a day costs what one of a minute does.
+import { between, isEven } from './track.js';
 
 const WORKING = 1; // mm; a curve that spans less is drawn as if it spanned this much either way
 const LEVELS = 6; // of calls
+const BEND = 3; // px; a curve that bends is drawn in steps of that
 
 /** @typedef {(time: number) => number} X */
 
@@ -110,19 +112,24 @@ export function curvesOf(run, x) {
       if (column.low !== column.high) curve.push([column.x, column.low], [column.x, column.high]);
       curve.push([column.x, column.last]);
     };
-    for (const { time_s: [from, until], points } of run.ways) {
-      const steps = points.length / 3 - 1;
-      for (let n = 0; n <= steps; ++n) {
-        const px = x(from + (steps ? (n / steps) * (until - from) : 0));
-        const value = points[3 * n + axis] - origin;
-        if (px - column.x < 0.5) {
-          column.low = Math.min(column.low, value);
-          column.high = Math.max(column.high, value);
-          column.last = value;
-          continue;
-        }
-        if (column.x > -Infinity) close();
-        column = { x: px, low: value, high: value, last: value };
+    const put = (/** @type {number} */ px, /** @type {number} */ value) => {
+      if (px - column.x < 0.5) {
+        column.low = Math.min(column.low, value);
+        column.high = Math.max(column.high, value);
+        column.last = value;
+        return;
+      }
+      if (column.x > -Infinity) close();
+      column = { x: px, low: value, high: value, last: value };
+    };
+    const { times, points } = run.track;
+    for (let knot = 0; knot < times.length; ++knot) {
+      put(x(times[knot]), points[3 * knot + axis] - origin);
+      if (knot + 1 === times.length || isEven(run.track, knot, axis)) continue;
+      const steps = Math.ceil((x(times[knot + 1]) - x(times[knot])) / BEND);
+      for (let n = 1; n < steps; ++n) {
+        const share = n / steps;
+        put(x(times[knot] + share * (times[knot + 1] - times[knot])), between(run.track, knot, axis, share) - origin);
       }
     }
     if (column.x > -Infinity) close();

@@ -47,6 +47,8 @@ export interface WayFigure { move: number; kind: Kind; time_s: [number, number];
   /** Of what carries the ball, at the beginning and the end: quaternions x y z w; without it upright. */
   turns?: [number[], number[]];
 }
+/** Knots of cubics: times, and three numbers each of places and speeds. */
+export interface TrackFigure { times: number[]; points: number[]; speeds: number[] }
 export interface TouchFigure {
   /** The ball that touched. */
   ball: Point; radius?: number;
@@ -63,7 +65,7 @@ export interface FileNames {
 }
 
 export interface Figures {
-  parts?: PartFigure[]; probe?: ProbeFigure | null; ways?: WayFigure[]; touch?: TouchFigure[];
+  parts?: PartFigure[]; probe?: ProbeFigure | null; ways?: WayFigure[]; track?: TrackFigure; touch?: TouchFigure[];
   frame?: { name: string; origin: Point };
   /** As those of touches. */
   collision?: { contact: Point; normal: Point } | null;
