@@ -105,6 +105,20 @@ test('the ball and its curves are where acceleration has them', () => {
   for (const [px, value] of z) near(value, rampAt(px / 1000), 0.6 * RAMP.v / 1000); // within the pixel
 });
 
+/** Skip moves along X to the wall at X = 33 as touches, from their places beside it and their feeds. */
+const touchesAt = (places) => ({
+  touches: places.map(([y, feed], n) => ({ triggered: true, part: 'block', feed, time_s: n, contact: [30, y, 0], normal: [1, 0, 0],
+    commanded: [25, y, 0], latched: [33, y, 0], work: [33, y, 0] })),
+});
+
+test('a touch counts unless a slower one goes on along its line', () => {
+  const counts = (places) => new Run(touchesAt(places), {}).hits.map((contact) => contact.counts);
+  assert.deepEqual(counts([[0, 600], [0, 50]]), [false, true]);
+  assert.deepEqual(counts([[0, 50], [0, 50], [0, 600]]), [true, true, true], 'as fast again, or faster');
+  assert.deepEqual(counts([[0, 100], [0.4, 100], [0.8, 100]]), [true, true, true], 'a row of touches');
+  assert.deepEqual(counts([[0, 600], [0.4, 50]]), [true, true], 'slower, beside it');
+});
+
 const QUARTER = [0, 0, Math.SQRT1_2, Math.SQRT1_2]; // about Z
 
 test('a turn is that of its quaternion, there and back, and half of it on the way', () => {

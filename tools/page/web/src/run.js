@@ -9,6 +9,8 @@ import { UPRIGHT, between, turned } from './turn.js';
 
 const AT_ONCE = 1e-6; // s; times of one moment differ by rounding alone
 const SAME_PLACE = 0.5; // mm; a second touch of one wall comes closer than that to the first
+const SAME_LINE = 0.02; // mm; beside it no axis goes on purpose
+const SAME_WAY = 0.999; // of the normals, the cosine between them
 
 /** @param {{g: number}} move @returns {import('./types').Kind} */
 const kindOf = (move) => (move.g === 0 ? 'rapid' : move.g === 31 ? 'skip' : 'feed');
@@ -137,17 +139,25 @@ function contactsOf(document, figures) {
   });
   const hits = contacts.filter((contact) => contact.hit);
   hits.forEach((contact, index) => {
-    contact.counts = !(index + 1 < hits.length && sameWall(contact, hits[index + 1]));
+    contact.counts = !(index + 1 < hits.length && repeats(contact, hits[index + 1]));
   });
   return contacts;
 }
 
-/** Whether the second touch repeats the first, as slow touches repeat fast ones.
+/** Whether the second touch repeats the first: slower, at the same place along one line.
  * @param {Contact} first @param {Contact} second */
-function sameWall(first, second) {
-  if (first.touch.part !== second.touch.part || !first.place || !second.place || !first.normal || !second.normal) return false;
-  const { place, normal } = second;
-  const apart = Math.hypot(...first.place.map((value, axis) => value - place[axis]));
-  const along = first.normal.reduce((sum, value, axis) => sum + value * normal[axis], 0);
-  return apart < SAME_PLACE && along > 0.999 && first.time < second.time;
+function repeats(first, second) {
+  const [before, after] = [first.touch, second.touch];
+  if (before.part !== after.part || !(after.feed < before.feed) || !(first.time < second.time)) return false;
+  if (!first.normal || !second.normal || !first.place || !second.place) return false;
+  const { normal, place } = second;
+  if (!(first.normal.reduce((sum, value, axis) => sum + value * normal[axis], 0) > SAME_WAY)) return false;
+  if (!(Math.hypot(...first.place.map((value, axis) => value - place[axis])) < SAME_PLACE)) return false;
+  const off = [0, 1, 2].map((axis) => after.latched[axis] - before.latched[axis]);
+  const way = [0, 1, 2].map((axis) => (after.commanded ?? after.latched)[axis] - after.latched[axis]);
+  const long = Math.hypot(...way);
+  const along = long > 0 ? way.map((value) => value / long) : normal;
+  const gone = off.reduce((sum, value, axis) => sum + value * along[axis], 0);
+  const beside = Math.hypot(...off.map((value, axis) => value - gone * along[axis]));
+  return beside < SAME_LINE;
 }
