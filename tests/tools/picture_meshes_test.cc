@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tools/picture/feature_edges.h"
+#include "tools/picture/folds.h"
 #include "tools/picture/thinned.h"
 
 namespace g31::picture::picture_meshes_test {
@@ -106,6 +107,76 @@ TEST(Thinned, FewerTrianglesStayNearTheSurface) {
     EXPECT_LT(distance_to(*few, mesh.vertices[v]), std::hypot(2.0 * kError, grid)) << v;
   }
   EXPECT_EQ(thinned(mesh, 1000, kError)->triangles, few->triangles);
+}
+
+/// A sphere about the origin in rings of facets, as named shapes have it.
+parts::Mesh sphere(std::uint32_t sides, double radius) {
+  const std::uint32_t rings = sides / 2;
+  parts::Mesh mesh;
+  mesh.vertices = {{0, 0, -radius}, {0, 0, radius}};
+  for (std::uint32_t ring = 1; ring < rings; ++ring) {
+    const double polar = std::numbers::pi * ring / rings;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / sides;
+      mesh.vertices.emplace_back(radius * std::sin(polar) * std::cos(angle),
+                                 radius * std::sin(polar) * std::sin(angle),
+                                 -radius * std::cos(polar));
+    }
+  }
+  const auto corner = [&](std::uint32_t ring, std::uint32_t i) {
+    return 2 + (ring - 1) * sides + i % sides;
+  };
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    mesh.triangles.push_back({0, corner(1, i + 1), corner(1, i)});
+    mesh.triangles.push_back({1, corner(rings - 1, i), corner(rings - 1, i + 1)});
+    for (std::uint32_t ring = 1; ring + 1 < rings; ++ring) {
+      mesh.triangles.push_back({corner(ring, i), corner(ring, i + 1), corner(ring + 1, i + 1)});
+      mesh.triangles.push_back({corner(ring, i), corner(ring + 1, i + 1), corner(ring + 1, i)});
+    }
+  }
+  return mesh;
+}
+
+TEST(Thinned, ASphereHasNoEdgesAndFacesOutwards) {
+  if (!can_thin()) {
+    GTEST_SKIP() << "built without meshoptimizer";
+  }
+  for (const std::uint32_t sides : {300U, 352U, 353U}) {
+    constexpr double kRadius = 12.5;
+    const auto few = thinned(sphere(sides, kRadius), 40'000, 0.05);
+    ASSERT_TRUE(few) << sides;
+    EXPECT_LE(few->triangles.size(), 40'000U) << sides;
+    EXPECT_EQ(feature_edges(*few).size(), 0U) << sides;
+    double lowest = kRadius;
+    for (const auto& [a, b, c] : few->triangles) {
+      const Point& p = few->vertices[a];
+      const Point n = (few->vertices[b] - p).cross(few->vertices[c] - p);
+      const Point middle = (p + few->vertices[b] + few->vertices[c]) / 3.0;
+      ASSERT_GT(n.dot(middle), 0.0) << sides;
+      lowest = std::min(lowest, middle.norm());
+    }
+    EXPECT_LT(kRadius - lowest, 0.05) << sides;
+  }
+}
+
+TEST(Folds, AreMendedByTheOtherDiagonalOrWithoutACorner) {
+  // A flat square, one of whose corners is a hair beside the diagonal: the flat triangle stands up.
+  parts::Mesh square;
+  square.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 4.999, 0.01}};
+  square.triangles = {{0, 1, 4}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}};
+  EXPECT_GT(count_folds(square).seen, 4U) << "its four sides, and more";
+  mend_folds(square, 0.05);
+  EXPECT_EQ(count_folds(square).seen, 4U);
+  // Two triangles of the same corners are a fin.
+  square.triangles.push_back({0, 1, 3});
+  square.triangles.push_back({1, 0, 3});
+  mend_folds(square, 0.05);
+  EXPECT_EQ(square.triangles.size(), 4U);
+  // The edges of a cube stay.
+  const parts::Mesh whole = cylinder(4, 1, 20.0, 30.0);
+  parts::Mesh cube = whole;
+  mend_folds(cube, 0.05);
+  EXPECT_EQ(cube.triangles, whole.triangles);
 }
 
 TEST(Thinned, WhatCannotBeShownHonestlyIsNotShown) {
