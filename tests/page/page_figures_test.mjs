@@ -311,6 +311,34 @@ test('the time line tells how far a curve goes beyond its scale', async () => {
   await close();
 });
 
+/** Boxes of the numbers of touches in the time line, its words about a collision, and its own edges. */
+const timelineBoxes = (page) => page.evaluate(() => {
+  const box = (element) => { const { left, right, top, bottom } = element.getBoundingClientRect(); return { left, right, top, bottom }; };
+  const svg = document.querySelector('#chart svg');
+  return { all: box(svg), marks: [...svg.querySelectorAll('[data-t] rect')].map(box),
+    words: [...svg.querySelectorAll('text[fill="var(--bad)"]')].map(box) };
+});
+const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+test('what is said of a collision and the numbers of touches leave each other room', async () => {
+  const { page, close } = await open(browser, pageOf('crashwords', sampleRun({ crash: true })));
+  for (const width of [1400, 420]) {
+    await page.setViewportSize({ width, height: 1200 });
+    await page.waitForTimeout(200);
+    const { all, marks, words } = await timelineBoxes(page);
+    assert.equal(words.length, 1);
+    assert.ok(words[0].top >= all.top && words[0].left >= all.left && words[0].right <= all.right, JSON.stringify({ words, all }));
+    assert.deepEqual(marks.filter((box) => meet(box, words[0])), []);
+  }
+  const covered = await page.evaluate(() => {
+    const cross = document.querySelector('#plan path[stroke="var(--bad)"][stroke-width="3"]').getBoundingClientRect();
+    return [...document.querySelectorAll('#plan [data-t] rect')].map((rect) => rect.getBoundingClientRect())
+      .filter((rect) => rect.left < cross.right && cross.left < rect.right && rect.top < cross.bottom && cross.top < rect.bottom).length;
+  });
+  assert.equal(covered, 0);
+  await close();
+});
+
 test('a collision with a turned part is where it stands', () => {
   const { document, figures } = sampleRun({ crash: true });
   const { contact, normal } = document.collision;

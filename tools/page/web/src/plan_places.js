@@ -4,6 +4,8 @@ import { flat } from './plan_planes.js';
 import { word } from './words.js';
 
 const OFF = 0.5; // mm; a wall further off its frame's origin than that is worth a dimension in a collision
+const CROSS = 7; // px from the middle of a collision's cross to its ends
+const LETTER = 7; // px that a bold letter needs, about
 const NEAR = 1.2; // of its radius; a wall still further off is not the one that the frame is of
 
 /** @typedef {import('./plan_view').PlanView} PlanView */
@@ -68,16 +70,36 @@ export function drawCrash(view, page) {
     const to = flat(ball, view.plane);
     if (Math.hypot(to[0] - from[0], to[1] - from[1]) * page.scale > 4) drawn += page.arrow(from, to, 'var(--bad)', 2.2);
   }
+  const { text, left } = crashWords(view, page, x);
+  drawn += `<path d="M${x - CROSS} ${y - CROSS}l${2 * CROSS} ${2 * CROSS}m0 -${2 * CROSS}l-${2 * CROSS} ${2 * CROSS}" stroke="var(--bad)" stroke-width="3"/>`
+    + `<text x="${(left ? x - 13 : x + 13).toFixed(1)}" y="${(y - 11).toFixed(1)}" class="halo" font-size="12" font-weight="600" fill="var(--bad)" `
+    + `text-anchor="${left ? 'end' : 'start'}">${esc(text)}</text>`;
+  return drawn;
+}
+
+/** What is said at the cross of a collision, on the side that has more room.
+ * @param {PlanView} view @param {Sheet} page @param {number} x px of the cross */
+function crashWords(view, page, x) {
   // What met what is said in English; the document has it on every page.
   const isEnglish = document.documentElement.lang === 'en';
   const text = isEnglish ? view.crash?.what ?? '' : word('collision');
   const left = x > page.width / 2;
   const room = left ? x : page.width - x;
-  const most = Math.min(46, Math.floor((room - 16) / 7)); // a bold letter is some 7 wide
-  drawn += `<path d="M${x - 7} ${y - 7}l14 14m0 -14l-14 14" stroke="var(--bad)" stroke-width="3"/>`
-    + `<text x="${(left ? x - 13 : x + 13).toFixed(1)}" y="${(y - 11).toFixed(1)}" class="halo" font-size="12" font-weight="600" fill="var(--bad)" `
-    + `text-anchor="${left ? 'end' : 'start'}">${esc(text.length > most ? `${text.slice(0, most - 1)}…` : text)}</text>`;
-  return drawn;
+  const most = Math.min(46, Math.floor((room - 16) / LETTER));
+  return { text: text.length > most ? `${text.slice(0, most - 1)}…` : text, left };
+}
+
+/** What the cross of a collision and its words cover. @param {PlanView} view @param {Sheet} page
+ * @returns {import('./plan_whiskers').Rect[]} */
+export function crashBoxes(view, page) {
+  const contact = view.crash?.contact;
+  if (!contact) return [];
+  const [x, y] = page.at(flat(contact, view.plane));
+  const { text, left } = crashWords(view, page, x);
+  const wide = text.length * LETTER;
+  const reach = CROSS + 3;
+  return [{ x: x - reach, y: y - reach, w: 2 * reach, h: 2 * reach },
+    { x: left ? x - 13 - wide : x + 13, y: y - 22, w: wide, h: 15 }];
 }
 
 /** @param {PlanView} view @param {Sheet} page @param {import('./section').Flat} place */

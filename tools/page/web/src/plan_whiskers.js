@@ -1,5 +1,6 @@
 // Touches of a plan view: the ball in true size, the deviation magnified along the normal, the number, the value.
 import { mark, um } from './markup.js';
+import { crashBoxes } from './plan_places.js';
 import { flat } from './plan_planes.js';
 
 const LABELS = 80; // numbers; more would be no plan view
@@ -21,7 +22,7 @@ export function whiskersOf(view, page, chosen) {
   const whiskers = placed(view);
   const order = [...whiskers].sort((a, b) => rank(a.contact, chosen) - rank(b.contact, chosen));
   /** @type {Rect[]} */
-  const taken = [{ x: page.width - 110, y: page.height - 84, w: 110, h: 84 }];
+  const taken = [{ x: page.width - 110, y: page.height - 84, w: 110, h: 84 }, ...crashBoxes(view, page)];
   const labels = order.slice(0, LABELS).map((whisker) => label(whisker, view, page, chosen, taken));
   return balls(view, page) + bars(whiskers, view, page) + labels.reverse().join('');
 }

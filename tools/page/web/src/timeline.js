@@ -9,6 +9,7 @@ const TOP = 34;
 const LEVEL = 20;
 const CURVE = 44;
 const NARROW = 560;
+const WORDS = 15; // px above the marks, for what a collision says
 const CALL_INKS = ['var(--mat2)', 'var(--mat3)'];
 const HEIGHTS = { rapid: [4, 4], feed: [2, 8], skip: [0, 12] };
 
@@ -66,7 +67,8 @@ export class Timeline {
     const parts = [this.grid(height), this.touches(height), this.calls(spans), this.motion(motion), this.positions(curves),
       this.marks(), this.collision(height), cursor(height)];
     const label = word('timeline_aria', { time: num(run.duration, 1) });
-    this.box.innerHTML = `<svg class="fig" viewBox="0 0 ${this.width} ${height}" role="img" aria-label="${esc(label)}" `
+    const above = run.collision ? WORDS : 0;
+    this.box.innerHTML = `<svg class="fig" viewBox="0 ${-above} ${this.width} ${height + above}" role="img" aria-label="${esc(label)}" `
       + `style="cursor:col-resize">${parts.join('')}</svg>`;
     this.moveCursor();
   }
@@ -193,7 +195,7 @@ export class Timeline {
     const { run } = this.choice;
     if (!run.collision) return '';
     const x = this.x(run.duration);
-    return `<path d="M${x} 26V${height - 20}" stroke="var(--bad)" stroke-width="2.5"/><text x="${x - 6}" y="20" font-size="12" `
+    return `<path d="M${x} 26V${height - 20}" stroke="var(--bad)" stroke-width="2.5"/><text x="${x + 6}" y="${12 - WORDS}" font-size="12" `
       + `font-weight="600" class="halo" fill="var(--bad)" text-anchor="end">${esc(word('collision_at', { time: num(run.duration) }))}</text>`;
   }
 }
