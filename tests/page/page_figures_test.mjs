@@ -339,6 +339,17 @@ test('what is said of a collision and the numbers of touches leave each other ro
   await close();
 });
 
+test('long numbers of touches stay in the time line, apart from each other', async () => {
+  const run = sampleRun({ rounds: 40 });
+  const { page, close } = await open(browser, pageOf('longnumbers', run));
+  const { all, marks } = await timelineBoxes(page);
+  assert.ok(marks.length > 10);
+  for (const box of marks) assert.ok(box.left >= all.left && box.right <= all.right, JSON.stringify({ box, all }));
+  const sorted = marks.sort((a, b) => a.left - b.left);
+  sorted.slice(1).forEach((box, n) => assert.ok(box.left > sorted[n].right - 0.5, JSON.stringify([sorted[n], box])));
+  await close();
+});
+
 test('a collision with a turned part is where it stands', () => {
   const { document, figures } = sampleRun({ crash: true });
   const { contact, normal } = document.collision;

@@ -41,6 +41,18 @@ export function niceStep(atLeast) {
 export const decimalsOf = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
 
 /**
+ * As few decimals as tell a value that well. @param {number} value @param {number} within over 0
+ */
+export function decimalsWithin(value, within) {
+  let decimals = 0;
+  while (decimals < 6 && Math.abs(value - Number(value.toFixed(decimals))) > within) ++decimals;
+  return decimals;
+}
+
+/** px from the middle of such a circle to its end. @param {number} number of the touch */
+export const markHalf = (number) => Math.max(8.5, 5 + String(number).length * 3.2);
+
+/**
  * The number of a touch as a circle in a drawing.
  * @param {import('./types').Contact} contact
  * @param {number} x @param {number} y
@@ -48,7 +60,7 @@ export const decimalsOf = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1
  */
 export function mark(contact, x, y, chosen) {
   const text = String(contact.number);
-  const half = Math.max(8.5, 5 + text.length * 3.2);
+  const half = markHalf(contact.number);
   const edge = chosen ? 'var(--accent)' : contact.counts ? 'var(--ink)' : 'var(--ink3)';
   const ink = chosen ? 'var(--paper)' : contact.counts ? 'var(--ink)' : 'var(--ink2)';
   return `<g data-t="${contact.number}" style="cursor:pointer"><rect x="${(x - half).toFixed(1)}" `

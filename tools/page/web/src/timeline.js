@@ -1,5 +1,5 @@
 // The time line: touches, calls as a flame, bands of motion, axis positions, the playhead; scrubbing.
-import { byId, clamp, decimalsOf, esc, mark, niceStep, num } from './markup.js';
+import { byId, clamp, decimalsOf, decimalsWithin, esc, mark, markHalf, niceStep, num } from './markup.js';
 import { drawnCurve, levelOf } from './timeline_curves.js';
 import { bandsOf, curvesOf, marksOf, rangesOf, spansOf } from './timeline_layers.js';
 import { word } from './words.js';
@@ -134,8 +134,9 @@ export class Timeline {
   }
 
   marks() {
-    const gap = this.width < NARROW ? 21 : 20;
-    const placed = marksOf(this.choice, (time) => this.x(time), gap, this.width - 11);
+    const half = markHalf(this.choice.run.contacts.length); // of the longest number
+    const gap = Math.max(this.width < NARROW ? 21 : 20, 2 * half + 1);
+    const placed = marksOf(this.choice, (time) => this.x(time), gap, this.width - half - 2);
     const chosen = placed.filter((each) => each.contact.number === this.choice.touch);
     const rest = placed.filter((each) => each.contact.number !== this.choice.touch);
     return [...rest, ...chosen].map(({ contact, x }) => mark(contact, x, 14, contact.number === this.choice.touch)).join('');
