@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
 import { launch, open, pageOf } from './browser.mjs';
 import { BORE, PIN, sampleRun } from './sample_run.mjs';
-import { approachOf } from '../../tools/page/web/src/plan_approaches.js';
+import { decimalsWithin } from '../../tools/page/web/src/markup.js';
+import { approachOf, drawApproaches } from '../../tools/page/web/src/plan_approaches.js';
 import { planesOf } from '../../tools/page/web/src/plan_planes.js';
 import { PlanView } from '../../tools/page/web/src/plan_view.js';
 import { Run } from '../../tools/page/web/src/run.js';
@@ -309,6 +310,23 @@ test('the time line tells how far a curve goes beyond its scale', async () => {
   const { page, close } = await open(browser, pageOf('beyond', run));
   assert.match(await page.locator('#chart .beyond').first().getAttribute('d'), /^M/);
   await close();
+});
+
+test('each wall of a small part has its arrow', () => {
+  const { document, figures } = sampleRun();
+  const view = housingView(new Run(document, figures));
+  const tiny = (value) => value / 1000;
+  const drawn = (run) => {
+    const arrows = [];
+    drawApproaches(run, { arrow: (from, to) => { arrows.push([from, to]); return ''; } });
+    return arrows.length;
+  };
+  const wanted = drawn(view);
+  assert.ok(wanted >= 4, `${wanted} arrows`);
+  for (const way of figures.ways) way.points = way.points.map(tiny);
+  for (const figure of figures.touch) Object.assign(figure, { ball: figure.ball.map(tiny), radius: tiny(3) });
+  const small = housingView(new Run(document, figures));
+  assert.equal(drawn(Object.assign(small, { frame: { ...view.frame, half: tiny(view.frame.half) } })), wanted);
 });
 
 /** Boxes of the numbers of touches in the time line, its words about a collision, and its own edges. */

@@ -2,6 +2,7 @@
 import { flat } from './plan_planes.js';
 
 const MOST = 24; // arrows
+const ALIKE = 0.02; // of half the view; arrows nearer to each other than that are one
 const SHORTEST = 0.1; // of half the view; a shorter arrow beside the ball would be all head
 
 /** @typedef {import('./section').Flat} Flat */
@@ -29,7 +30,7 @@ export function drawApproaches(view, page) {
   const seen = new Set();
   return view.contacts.map((contact) => {
     const arrow = seen.size > MOST ? null : approachOf(contact, view);
-    const key = arrow && [...arrow.from, ...arrow.to].map((mm) => Math.round(mm)).join(' ');
+    const key = arrow && [...arrow.from, ...arrow.to].map((mm) => Math.round(mm / (ALIKE * view.frame.half))).join(' ');
     if (!arrow || seen.has(key)) return '';
     seen.add(key);
     return page.arrow(arrow.from, arrow.to, 'var(--skip)', 1.3);
