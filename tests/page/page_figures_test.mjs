@@ -368,6 +368,10 @@ test('long numbers of touches stay in the time line, apart from each other', asy
   await close();
 });
 
+test('a value is told with as many decimals as it needs', () => {
+  assert.deepEqual([decimalsWithin(1.2, 0.012), decimalsWithin(-0.05, 0.0005), decimalsWithin(300, 1), decimalsWithin(106.7, 0.5)], [1, 2, 0, 0]);
+});
+
 test('a collision with a turned part is where it stands', () => {
   const { document, figures } = sampleRun({ crash: true });
   const { contact, normal } = document.collision;

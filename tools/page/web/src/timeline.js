@@ -10,6 +10,7 @@ const LEVEL = 20;
 const CURVE = 44;
 const NARROW = 560;
 const WORDS = 15; // px above the marks, for what a collision says
+const LABEL = 0.005; // of a scale: so well its ends are told
 const CALL_INKS = ['var(--mat2)', 'var(--mat3)'];
 const HEIGHTS = { rapid: [4, 4], feed: [2, 8], skip: [0, 12] };
 
@@ -179,7 +180,7 @@ export class Timeline {
       const curve = shown(own[axis]);
       this.goesBeyond ||= curve.arrows !== '';
       const ends = this.width < NARROW ? '' : [[high, 11], [low, 40]].map(([value, dy]) => `<text x="${this.gutter() - 26}" `
-        + `y="${top + dy}" font-size="10" fill="var(--ink3)" text-anchor="end">${num(value, 0)}</text>`).join('');
+        + `y="${top + dy}" font-size="10" fill="var(--ink3)" text-anchor="end">${num(value, decimalsWithin(value, LABEL * (high - low)))}</text>`).join('');
       const zero = low < 0 && high > 0
         ? `<path d="M${this.gutter()} ${levelOf(0, ranges[axis], top).toFixed(1)}H${this.width - RIGHT}" stroke="var(--line2)" stroke-dasharray="2 3"/>` : '';
       return `<path d="M${this.gutter()} ${top + 42}H${this.width - RIGHT}" stroke="var(--line)"/>${zero}`

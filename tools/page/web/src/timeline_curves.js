@@ -1,10 +1,11 @@
 // One curve of the time line on its scale; what lies beyond that is not drawn as if it lay at the edge.
-import { num } from './markup.js';
+import { decimalsWithin, num } from './markup.js';
 
 const HEIGHT = 34; // px of the scale
 const FOOT = 38; // px; where its lower end lies
 const [BELOW, ABOVE] = [-0.05, 1.06]; // of the scale; so far a curve is drawn
 const ROOM = 44; // px that a value needs
+const TOLD = 0.02; // of the scale: so well a value is told
 
 /** @typedef {[number, number]} Place px and mm */
 /** Where a curve is beyond its scale: px, and the value farthest from it. @typedef {{from: number, until: number, isOver: boolean, most: number}} Beyond */
@@ -67,7 +68,7 @@ export function drawnCurve(curve, scale, top) {
     dots += `M${from.toFixed(1)} ${edge.toFixed(1)}H${until.toFixed(1)}`;
     arrows += `M${(middle - 3.5).toFixed(1)} ${(edge - 4 * out).toFixed(1)}h7l-3.5 ${5 * out}z`;
     if (until - from < ROOM) continue;
-    values += `<text x="${(middle + 7).toFixed(1)}" y="${(edge + (isOver ? 9 : -3)).toFixed(1)}" class="halo">${num(most, 0)}</text>`;
+    values += `<text x="${(middle + 7).toFixed(1)}" y="${(edge + (isOver ? 9 : -3)).toFixed(1)}" class="halo">${num(most, decimalsWithin(most, TOLD * (scale[1] - scale[0])))}</text>`;
   }
   return { line, dots, arrows, values };
 }
