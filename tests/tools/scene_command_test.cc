@@ -225,6 +225,32 @@ TEST(SceneCommand, ContactsStandWhereTheTouchesWere) {
   EXPECT_EQ(node_named(glb, "collisions"), nullptr);
 }
 
+TEST(SceneCommand, ATableThatTurnsIsToldInTheFrameOfThePart) {
+  const char* const sheet = "parts/library/kinematics_ball/kinematics_ball.toml";
+  const char* const program = "parts/library/kinematics_ball/measure_kinematics.mpf";
+  const Glb glb = parse_glb(scene_of(program, "five.glb", sheet).file);
+  EXPECT_NE(node_named(glb, "coordinates of the part, mm"), nullptr);
+  EXPECT_EQ(node_named(glb, "machine coordinates, mm"), nullptr);
+  const std::string unit = glb.json.at("asset").at("extras").at("unit");
+  EXPECT_NE(unit.find("'coordinates of the part, mm'"), std::string::npos) << unit;
+  cli::RunOptions options;
+  options.programs = {program};
+  options.setups = {sheet};
+  options.touches = true;
+  const RunOutput output = run_program(options);
+  const Json& touches = output.document.at("touches");
+  std::size_t turned = 0;
+  for (const std::size_t child : node_named(glb, "contacts")->at("children")) {
+    const Json& extras = glb.json.at("nodes").at(child).at("extras");
+    const Json& touch = touches.at(extras.at("touch").get<std::size_t>() - 1);
+    const bool is_turned = extras.contains("machine_contact_mm");
+    turned += is_turned ? 1 : 0;
+    const char* const name = is_turned ? "machine_contact_mm" : "contact_mm";
+    EXPECT_EQ(point_of(extras.at(name)), point_of(touch.at("contact")));
+  }
+  EXPECT_GT(turned, 0U);
+}
+
 TEST(SceneCommand, TheRootTurnsMillimetresAndZUpToMetresAndYUp) {
   const Glb glb = parse_glb(scene_of(kMeasureRing, "ring.glb").file);
   const std::size_t root_index = glb.json.at("scenes").at(0).at("nodes").at(0);

@@ -88,9 +88,10 @@ Result<std::string, session::Refusal> document_of(const SceneOptions& options,
   const auto parts = picture::parts_of(world, job, scene.last.q_M);
   const auto stylus = picture::stylus_shape(job, scene.last.tool);
   if (form == ".glb" || form == ".gltf") {
-    return gltf::gltf_document(parts,
-                               {scene.ways, scene.contacts, scene.collisions, stylus, scene.last},
-                               form == ".glb" ? gltf::GltfForm::Binary : gltf::GltfForm::Text);
+    return gltf::gltf_document(
+        parts,
+        {scene.ways, scene.contacts, scene.collisions, stylus, scene.last, recorder.is_of_part()},
+        form == ".glb" ? gltf::GltfForm::Binary : gltf::GltfForm::Text);
   }
   scene.title = file_name(options.run.programs.front());
   scene.parts = parts;

@@ -60,13 +60,14 @@ Json rotation_from_z(const Point& n) {
 
 class Document {
  public:
-  Document(std::span<const picture::PicturedPart> parts, const Trace& trace) {
+  Document(std::span<const picture::PicturedPart> parts, const Trace& trace)
+      : frame_(trace.is_of_part ? "coordinates of the part, mm" : "machine coordinates, mm") {
     add_parts(parts);
     add_paths(trace);
     add_marks("contacts", trace.contacts, kContactColour);
     add_marks("collisions", trace.collisions, kCollisionColour);
     add_stylus(trace);
-    Json machine = {{"name", "machine coordinates, mm"},
+    Json machine = {{"name", frame_},
                     {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
                     {"scale", {0.001, 0.001, 0.001}}};
     if (!groups_.empty()) {  // glTF has no empty lists
@@ -85,7 +86,7 @@ class Document {
                        {"generator", "g31"},
                        {"extras",
                         {{"schema", "g31.scene/1"},
-                         {"unit", "metre; below the node 'machine coordinates, mm' millimetre"},
+                         {"unit", "metre; below the node '" + frame_ + "' millimetre"},
                          {"up", "+Y; below that node +Z"}}}}},
                      {"scene", 0},
                      {"scenes", Json::array({scene_})},
@@ -225,6 +226,9 @@ class Document {
       if (mark.touch > 0) {
         extras["touch"] = mark.touch;
       }
+      if (mark.p_machine) {
+        extras["machine_contact_mm"] = array_of(*mark.p_machine);
+      }
       if (!mark.what.empty()) {
         extras["what"] = mark.what;
       }
@@ -263,6 +267,7 @@ class Document {
     add_group("stylus", nodes);
   }
 
+  std::string frame_;  // of all below the root
   GltfBuffer buffer_;
   Json nodes_ = Json::array();
   Json meshes_ = Json::array();

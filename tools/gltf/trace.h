@@ -14,6 +14,7 @@ struct Trace {
   std::span<const picture::Mark> collisions;
   std::span<const picture::StylusPiece> stylus;  ///< what the spindle holds
   picture::StylusPlace stylus_place;             ///< where it is shown
+  bool is_of_part = false;  ///< all is in the frame of the part, which rotary axes turn
 };
 
 }  // namespace g31::gltf

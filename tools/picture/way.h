@@ -55,6 +55,8 @@ struct Mark {
   std::size_t touch = 0;  ///< the how-manyth skip move it is of, from 1; 0: a collision
   StylusPlace stylus;     ///< as latched; of a collision where it happened
   std::optional<TouchingBall> ball = {};  ///< of the stylus there that touched; nullopt: not known
+  /// Where the axes stood then, in machine coordinates; nullopt: there p_M is that.
+  std::optional<Point> p_machine = {};
 };
 
 }  // namespace g31::picture

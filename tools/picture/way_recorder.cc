@@ -251,7 +251,10 @@ void WayRecorder::mark(const machine::MachineFault& fault) {
 
 Mark WayRecorder::mark_of(const machine::Contact& contact, const AxisPositions& q_M) const {
   const SurfacePlace place = on_part(chain_, q_M, {contact.p_M_point, contact.n_M});
-  Mark mark = {place.p, place.n, contact.part, {}, 0, stylus_at(q_M), {}};
+  Mark mark = {place.p, place.n, contact.part, {}, 0, stylus_at(q_M), {}, {}};
+  if (place.p != contact.p_M_point) {
+    mark.p_machine = contact.p_M_point;
+  }
   if (job_ != nullptr) {
     mark.ball = touching_ball(*job_, mark);
   }

@@ -76,6 +76,8 @@ class WayRecorder final : public machine::MachinePort, public machine::MotionLis
   /// Of skip moves, in order.
   [[nodiscard]] const std::vector<Mark>& contacts() const { return contacts_; }
   [[nodiscard]] const std::vector<Mark>& collisions() const { return collisions_; }
+  /// Whether all is told in the frame of the part.
+  [[nodiscard]] bool is_of_part() const { return chain_.has_rotary_axes(); }
   /// Where it stands now.
   [[nodiscard]] StylusPlace stylus() const { return stylus_at(machine_.position()); }
   /// Where a picture shows it: at the collision, else at the last touch, else where it stands.
