@@ -69,14 +69,13 @@ at = [0.0, -120.0, 0.0]
 // Z pitches by 100 um/m about Y: a ball 50 mm along X sinks by 0.005 mm beside the stylus that it
 // hangs on, and touches so much earlier.
 TEST(TouchesOfRealMachines, FurtherBallsAndProbesLeanWithTheirAxis) {
-  const std::string control = "[control]\nprofile = \"fanuc-30i\"\n";
-  const std::string program = "O1\nG90G54G31Z-5.F100\n#500=#5063\nM30\n";
-  const auto star = read({"star.nc", program, control + R"([probe]
+  const auto touched_by = [](const std::string& further, const std::string& beside) {
+    return read({"lean.nc", "O1\nG90G54G31Z-5.F100\n#500=#5063\nM30\n", R"([control]
+profile = "fanuc-30i"
+[probe]
 length = 120.0
 stem_diameter = 2.0
-[[probe.ball]]
-at = [50.0, 0.0, 0.0]
-arm_diameter = 0.0
+)" + further + R"(
 [start]
 Z = 20.0
 [machine.errors]
@@ -85,27 +84,14 @@ EBZ = 100.0
 shape = "block"
 length = 20.0
 width = 20.0
-at = [50.0, 0.0, -120.0]
-)"},
-                         {"#500"});
-  EXPECT_NEAR(star[0], 3.0 + 100.0 * kUmPerM * 50.0, 1e-9);
-  const auto second = read({"second.nc", program, control + R"([probe]
-length = 120.0
-stem_diameter = 2.0
-[probe.second]
-at = [200.0, 0.0, 0.0]
-[start]
-Z = 20.0
-[machine.errors]
-EBZ = 100.0
-[[part]]
-shape = "block"
-length = 20.0
-width = 20.0
-at = [200.0, 0.0, -120.0]
-)"},
-                           {"#500"});
-  EXPECT_NEAR(second[0], 3.0 + 100.0 * kUmPerM * 200.0, 1e-9);
+at = [)" + beside + ", 0.0, -120.0]\n"},
+                {"#500"})
+        .front();
+  };
+  EXPECT_NEAR(touched_by("[[probe.ball]]\nat = [50.0, 0.0, 0.0]\narm_diameter = 0.0", "50.0"),
+              3.0 + 100.0 * kUmPerM * 50.0, 1e-9);
+  EXPECT_NEAR(touched_by("[probe.second]\nat = [200.0, 0.0, 0.0]", "200.0"),
+              3.0 + 100.0 * kUmPerM * 200.0, 1e-9);
 }
 
 // Probe 1 touches 0.4 mm before probe 2, and its signal comes 0.1 s late, at 10 mm/s: 1 mm.
