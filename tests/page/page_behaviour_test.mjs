@@ -180,3 +180,26 @@ test('a page that g31 writes has its figures', async (t) => {
   assert.deepEqual(notes, []);
   await close();
 });
+
+test('the axes that a page of g31 shows accelerate', async (t) => {
+  const file = reportOf('ramp', PROGRAM);
+  if (!file) return t.skip('this g31 has no run --report');
+  const { page, close } = await open(browser, file);
+  const { ways, frame } = await page.evaluate(() => JSON.parse(document.getElementById('g31-figures').textContent));
+  const { points, time_s: [from] } = ways.find(({ kind }) => kind === 'rapid');
+  const way = [0, 1, 2].map((axis) => points[3 + axis] - points[axis]);
+  const most = Math.max(...way.map(Math.abs));
+  const after = 0.05;
+  const gone = (2000 / 2) * after * after; // mm of the axis that goes farthest, 2000 mm/s2
+  await page.evaluate((time) => {
+    const range = document.getElementById('timeline');
+    range.value = String(time);
+    range.dispatchEvent(new Event('input'));
+  }, from + after);
+  const shown = (await page.textContent('#now')).replaceAll('−', '-').match(/X (\S+)\s+Y (\S+)\s+Z (-?[\d.]{5,})/).slice(1, 4).map(Number);
+  shown.forEach((value, axis) => {
+    const wanted = points[axis] + (gone / most) * way[axis] - frame.origin[axis];
+    assert.ok(Math.abs(value - wanted) < 0.00075, `${shown}, ${wanted} of axis ${axis}`);
+  });
+  await close();
+});
