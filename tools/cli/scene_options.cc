@@ -41,7 +41,11 @@ CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
 }
 
 std::string scene_examples() {
-  return "Examples:\n"
+  return "A scene of a machine with rotary axes is in coordinates of the part: of each touch, "
+         "extras have\n"
+         "contact_mm there, and machine_contact_mm in those of the machine, where documents of "
+         "runs have it.\n\n"
+         "Examples:\n"
          "  g31 scene measure_ring.nc --setup ring.toml -o ring.glb\n"
          "  g31 scene part.nc -s machine.toml -s fixture.toml -o part.gltf\n"
          "  g31 scene part.nc -s machine.toml -o part.svg --width 1600 --theme dark\n"
