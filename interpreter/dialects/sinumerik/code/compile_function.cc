@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "interpreter/dialects/sinumerik/code/expressions.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -123,6 +124,7 @@ Argument Expressions::argument(char kind) {
       value = operations_.convert(std::move(value), Type::String, AlarmId::BadArguments);
       break;
     case 'A':
+    case 'a':
       value = operations_.convert(std::move(value), Type::Axis, AlarmId::NotAnAxis);
       break;
     case 'F':
@@ -137,8 +139,14 @@ Argument Expressions::argument(char kind) {
         value = operations_.convert(std::move(value), Type::Int, AlarmId::BadArguments);
       }
       break;
-    default:  // V keeps its variable, * and o any type
-      break;
+    case 'V':
+    case 'M':
+    case 'W':
+    case '*':
+    case 'o':
+      break;  // a variable, or of any type
+    default:
+      contract_violated("every kind of parameter is read", __FILE__, __LINE__);
   }
   return argument_of(value);
 }
