@@ -10,8 +10,9 @@
 namespace g31::probe {
 namespace {
 
-/// More facets than a ball slides over before its stylus breaks.
-constexpr int kMostTurns = 500;
+/// Over so many facets a ball slides before its stylus breaks, but for the finest meshes of bores
+/// that it hardly fits into: there each of them takes long.
+constexpr int kMostTurns = 40;
 
 /// So many surfaces wedge a ball.
 constexpr std::size_t kMostContacts = 3;
@@ -105,7 +106,7 @@ std::optional<Pressed> PressedSurfaces::take(const Met& met) {
   s_ += by_way > 0.0 ? hit.s / by_way : 0.0;
   p_M_centre_ = hit.p_M_point + ball_.radius * hit.n_M;
   may_overlap_ = hit.status == SweepStatus::StartInContact;
-  const Contact contact{hit.n_M, p_M_centre_.dot(hit.n_M), met.part};
+  const Contact contact{hit.n_M, p_M_centre_.dot(hit.n_M), met.part, hit.n_M};
   const double depth = ball_.radius - (undeflected(s_) - hit.p_M_point).dot(hit.n_M);
   const bool is_known = hold(contact);
   share_out();
@@ -119,13 +120,16 @@ bool PressedSurfaces::hold(const Contact& contact) {
   const auto old = std::ranges::find_if(
       contacts_, [&](const Contact& one) { return one.n_M.dot(contact.n_M) >= kCreaseCosine; });
   bool is_known = false;
+  Point n_M_told = contact.n_M;
   if (old != contacts_.end()) {
-    is_known = old->part == contact.part;
+    is_known = old->part == contact.part && old->n_M_told.dot(contact.n_M) >= kToldCosine;
+    n_M_told = is_known ? old->n_M_told : contact.n_M;
     contacts_.erase(old);
   } else if (contacts_.size() == kMostContacts) {
     contacts_.erase(contacts_.begin());
   }
   contacts_.push_back(contact);
+  contacts_.back().n_M_told = n_M_told;
   return is_known;
 }
 

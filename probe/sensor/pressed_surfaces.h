@@ -30,9 +30,12 @@ struct Pressed {
 ///
 /// A contact with the same part whose normal differs by less than kCreaseDeg (smooth_normal.h) from
 /// one in force is of the same surface, as facets of a bore are: the ball slides on along it, and
-/// that it is deflected began before.
+/// that it is deflected began before.  It is told anew wherever its normal has turned by kToldDeg.
 class PressedSurfaces {
  public:
+  static constexpr double kToldDeg = 5.0;
+  static constexpr double kToldCosine = 0.99619469809174555;  // of kToldDeg
+
   struct Ball {
     double radius = 0.0;
     std::size_t size = 0;  ///< which of the sweepers of each part
@@ -57,8 +60,9 @@ class PressedSurfaces {
     Point n_M;
     double level = 0.0;  ///< mm along n_M: of the plane that the centre is held on
     const Part* part = nullptr;
-    double push = 0.0;  ///< mm: its share of the deflection, along n_M
-    double rate = 0.0;  ///< of the push, by mm of the way
+    Point n_M_told = Point::Zero();  ///< n_M where its surface was told last
+    double push = 0.0;               ///< mm: its share of the deflection, along n_M
+    double rate = 0.0;               ///< of the push, by mm of the way
   };
 
   [[nodiscard]] Point undeflected(double s) const { return p_M_from_ + s * direction_; }

@@ -139,7 +139,7 @@ void TouchProbe::look_on(Search& search, const machine::Sweep& sweep) const {
   double until = first ? first->distance - begin : std::numeric_limits<double>::infinity();
   while (const auto surface = surfaces.next(until)) {
     if (first && first->touch.part == surface->part &&
-        first->touch.hit.n_M.dot(surface->hit.n_M) >= kCreaseCosine) {
+        first->touch.hit.n_M.dot(surface->hit.n_M) >= PressedSurfaces::kToldCosine) {
       continue;  // what the signal comes from
     }
     const auto more = way_to_signal(*surface, way, sweep.tilt_from);
