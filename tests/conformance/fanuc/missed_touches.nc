@@ -616,3 +616,17 @@ O2
 M99
 %
 (EXPECT NO WARNING PRB301)
+
+(CASE G37 without its signal is the alarm, and the G31 before it is told as ever)
+(CONTROL fanuc-16i)
+%
+O1
+G90 G21
+G43 H1
+G31 Z-5. F100
+G37 Z-50.
+M30
+%
+(EXPECT WARNING PRB301 AT 6)
+(EXPECT NO WARNING PRB302)
+(EXPECT ALARM 80 AT 7)

@@ -16,6 +16,12 @@ using machine::SkipOutcome;
 using machine::Touched;
 using runtime::MissedTouches;
 
+/// G37 that wants its signal near the position: nobody has to be told beside the alarm.
+bool is_alarm_without_signal(const Control& control, const NcBlock& block) {
+  return block.code->action == GAction::MeasureTool &&
+         control.profile.tool_measurement != ToolMeasurement::ToTravelEnd;
+}
+
 /// What a missing signal, or one that was there already, deserves (MB-270, MB-277).
 void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& outcome) {
   std::visit(runtime::Overloaded{
@@ -24,8 +30,10 @@ void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& out
                    control.touches.missed.touched();
                  },
                  [&](const NoTouch&) {
-                   control.touches.missed.missed(
-                       block.where, {MissedTouches::Result::End, control.scale.mm_per_unit()});
+                   if (!is_alarm_without_signal(control, block)) {
+                     control.touches.missed.missed(
+                         block.where, {MissedTouches::Result::End, control.scale.mm_per_unit()});
+                   }
                  },
                  [&](const NoEdge&) {
                    control.touches.missed.touched();
