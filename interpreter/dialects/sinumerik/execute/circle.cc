@@ -155,7 +155,7 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
                             clockwise ? Turn::Clockwise : Turn::Counterclockwise};
   path.g = clockwise ? 2 : 3;
   // F of a helix is of its way, that of a machine's arc of the plane.
-  path.feed_mm_min = feed.value() * arc_mm / std::hypot(arc_mm, rise);
+  path.feed_mm_min = feed.value() * (arc_mm / std::hypot(arc_mm, rise));
   path.where = job.block.where;
   take_modes(channel, path);
   const machine::BlockEnd ends = path.ends;
