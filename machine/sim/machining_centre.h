@@ -153,6 +153,10 @@ class MachiningCentre final : public MachinePort {
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
                                   const SkipMove& move);
+  // What the world says to a way that the axes go as commanded.
+  [[nodiscard]] std::optional<SkipTrigger> first_signal(const StraightPath& path,
+                                                        const MotionProfile& profile,
+                                                        Listening to) const;
   std::optional<SkipOutcome> skip_really(const CommandedPath& path, const MotionProfile& profile,
                                          const SkipMove& move);
   SkipOutcome stop_for(SkipTrigger trigger, const StraightPath& path, const MotionProfile& profile,

@@ -67,8 +67,7 @@ SkipOutcome MachiningCentre::skip_for_both(const StraightPath& path, const SkipM
       signals.at(i) = real_.first_signal(motion, to, *surroundings_);
       continue;
     }
-    const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
-    if (auto trigger = surroundings_->first_signal(Way(ends), to)) {
+    if (auto trigger = first_signal(path, profile, to)) {
       const double time_s = profile.time_at(trigger->fraction * profile.length());
       signals.at(i) = Timed<SkipTrigger>{*std::move(trigger), time_s};
     }

@@ -107,18 +107,27 @@ std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
   if (!real_.are_ideal()) {
     return skip_really(path, profile, move);
   }
-  if (surroundings_ != nullptr) {
-    const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
-    auto trigger = surroundings_->first_signal(Way(ends), listening_of(move, move.input, profile));
-    if (trigger) {
-      return stop_for(*std::move(trigger), path, profile, move.after);
-    }
+  if (auto trigger = first_signal(path, profile, listening_of(move, move.input, profile))) {
+    return stop_for(*std::move(trigger), path, profile, move.after);
   }
   if (is_watched()) {
     show(path, profile.phases(), profile.duration_s());
   }
   clock_.advance(profile.duration_s());
   return std::nullopt;
+}
+
+std::optional<SkipTrigger> MachiningCentre::first_signal(const StraightPath& path,
+                                                         const MotionProfile& profile,
+                                                         Listening to) const {
+  if (surroundings_ == nullptr) {
+    return std::nullopt;
+  }
+  const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
+  to.time_s_at = [&profile](double fraction) {
+    return profile.time_at(std::min(1.0, fraction) * profile.length());
+  };
+  return surroundings_->first_signal(Way(ends), to);
 }
 
 SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& path,

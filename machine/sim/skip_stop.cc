@@ -47,10 +47,7 @@ SkipStop stop_after_contact(const MotionProfile& profile, double contact_distanc
 
 Listening listening_of(const SkipMove& move, int input, const MotionProfile& profile) {
   constexpr double kPerMinute = 1.0 / 60.0;
-  return {input, move.edge, std::min(kPerMinute * move.way.feed_mm_min, profile.peak_speed()),
-          [&profile](double fraction) {
-            return profile.time_at(std::min(1.0, fraction) * profile.length());
-          }};
+  return {input, move.edge, std::min(kPerMinute * move.way.feed_mm_min, profile.peak_speed())};
 }
 
 }  // namespace g31::machine

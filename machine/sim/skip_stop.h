@@ -32,7 +32,7 @@ SkipStop stop_after_contact(const MotionProfile& profile, double contact_distanc
 /// stops against long double, times five; tests/machine/skip_stop_test.cc holds it.
 inline constexpr double kSkipStopError = 2.2e-15;
 
-/// What a skip move listens to at one input.  @param profile  outlives what it gives
+/// What a skip move listens to at one input; when it is where, its axes know.
 Listening listening_of(const SkipMove& move, int input, const MotionProfile& profile);
 
 }  // namespace g31::machine

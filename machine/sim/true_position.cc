@@ -8,6 +8,7 @@ namespace g31::machine {
 TruePosition::TruePosition(const MachineSetup& setup)
     : geometry_(setup.geometric_errors),
       compensation_(setup.compensation),
+      leans_(!geometry_.are_zero()),
       growth_(AxisPositions::Zero()),
       q_M_fixed_(AxisPositions::Zero()),
       chain_(setup.chain, setup.p_T_tip) {
@@ -26,8 +27,8 @@ TruePosition::TruePosition(const MachineSetup& setup)
   }
   has_play_ = !std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
   const bool has_cyclic = smooth_way_ < std::numeric_limits<double>::infinity();
-  is_exact_ = geometry_.are_zero() && compensation_.are_zero() && growth_.isZero(0.0) &&
-              !has_play_ && !has_cyclic;
+  is_exact_ =
+      !leans_ && compensation_.are_zero() && growth_.isZero(0.0) && !has_play_ && !has_cyclic;
 }
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
@@ -62,7 +63,7 @@ AxisPositions TruePosition::after(const AxisPositions& q_M) const {
 
 ToolPlace TruePosition::place_after(const AxisPositions& q_M) const {
   ToolPlace place = chain_.for_part(after(q_M));
-  if (!geometry_.are_zero()) {
+  if (leans_) {
     place.lean_rad = geometry_.turn_at(linear_axes(q_M));
     if (chain_.is_turned(q_M)) {
       place.lean_rad = chain_.part_from_machine(q_M).linear() * place.lean_rad;

@@ -55,6 +55,7 @@ class TruePosition {
 
   errors::GeometricErrors geometry_;
   errors::GeometricErrors compensation_;
+  bool leans_;                   // there are geometric errors, which may tilt the tool
   AxisCorrections corrections_;  // of the control's own tables
   std::vector<errors::AxisPlay> play_;
   std::vector<errors::CyclicErrorSetup> cyclic_;

@@ -131,7 +131,7 @@ double mm_of(std::string_view unit) {
 class FileReader {
  public:
   FileReader(const std::string& path, const MeshFileReading& how)
-      : path_(path), how_(how), goes_on_(how.goes_on), file_(path, std::ios::binary) {
+      : path_(path), how_(how), file_(path, std::ios::binary) {
     std::error_code error;
     size_ = std::filesystem::file_size(path, error);
     is_open_ = file_.good() && !error;
@@ -159,7 +159,7 @@ class FileReader {
       return std::string("it is packed; unpack it first");
     }
     if (kind == MeshKind::Stl && is_binary_stl(beginning, size_)) {
-      return read_binary_stl(file_, size_, goes_on_);
+      return read_binary_stl(file_, size_, how_.goes_on);
     }
     return read_whole(kind);
   }
@@ -179,13 +179,13 @@ class FileReader {
     }
     if (kind == MeshKind::Stl) {
       return read_text_stl(bytes, (how_.unit.empty() ? 1.0 : mm_of(how_.unit)) * how_.scale,
-                           goes_on_);
+                           how_.goes_on);
     }
     if (auto wrong = why_not_whole(kind, bytes)) {
       return *std::move(wrong);
     }
-    Steps(goes_on_).ask();
-    return read_through_assimp(path_, std::move(bytes), goes_on_);
+    Steps(how_.goes_on).ask();
+    return read_through_assimp(path_, std::move(bytes), how_.goes_on);
   }
 
   std::optional<std::string> why_not_whole(MeshKind kind, std::string_view bytes) {
@@ -217,7 +217,6 @@ class FileReader {
 
   const std::string& path_;
   const MeshFileReading& how_;
-  const GoesOn& goes_on_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
   bool is_open_ = false;

@@ -271,10 +271,13 @@ std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way,
     const double piece = machine::distance_mm(sweep.q_M_from, sweep.q_M_to);
     if (const auto push = first_push(way[i - 1], way[i])) {
       const double at_outline = gone + push->touch.fraction * piece;
-      const double reached_s = to.time_s_at ? to.time_s_at(machine::fraction_after(way, at_outline))
-                                            : at_outline / to.speed_mm_s;
-      const double teeth =
-          push->of_plate ? way_of_turning(push->touch, sweep, {reached_s, to.speed_mm_s}) : 0.0;
+      double teeth = 0.0;
+      if (push->of_plate && turns_teeth() && to.speed_mm_s > 0.0) {
+        const double reached_s = to.time_s_at
+                                     ? to.time_s_at(machine::fraction_after(way, at_outline))
+                                     : at_outline / to.speed_mm_s;
+        teeth = way_of_turning(push->touch, sweep, {reached_s, to.speed_mm_s});
+      }
       const double distance = at_outline + push->to_signal_mm + teeth;
       if (!(distance <= machine::length_of(way))) {
         return std::nullopt;
@@ -313,14 +316,13 @@ std::optional<ToolProbe::Push> ToolProbe::first_push(const machine::Waypoint& fr
                        : std::nullopt;
 }
 
-/// How much further than its outline a tool goes that turns with teeth, mm; infinity: no tooth
-/// comes.
+bool ToolProbe::turns_teeth() const {
+  return !held_->setup.teeth.empty() && held_->setup.kind != ToolKind::Turning &&
+         spindle_.rate_deg_s() != 0.0;
+}
+
 double ToolProbe::way_of_turning(const Touch& touch, const machine::Sweep& sweep,
                                  const Approach& approach) const {
-  const bool has_teeth = !held_->setup.teeth.empty() && held_->setup.kind != ToolKind::Turning;
-  if (!has_teeth || spindle_.rate_deg_s() == 0.0 || approach.speed_mm_s <= 0.0) {
-    return 0.0;
-  }
   const machine::Waypoint start = start_of(sweep);
   const PlacedShape tool = placed(held_->shape.envelope.front(), start);
   const Point along = linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);

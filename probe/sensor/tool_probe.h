@@ -74,8 +74,8 @@ class ToolProbe final : public machine::Surroundings {
   };
   /// How the outline of a tool comes to a touch.
   struct Approach {
-    double reached_s = 0.0;  ///< since the beginning of the way
-    double speed_mm_s = 0.0;
+    double reached_s = 0.0;   ///< since the beginning of the way
+    double speed_mm_s = 0.0;  ///< > 0
   };
   /// How deep the tool is in: < 0 where it is not.
   struct Depth {
@@ -107,6 +107,9 @@ class ToolProbe final : public machine::Surroundings {
   [[nodiscard]] double depth_along(const Depth& side, const PlacedShape& tool) const;
   [[nodiscard]] std::optional<Touch> touch_at(const machine::Waypoint& at) const;
   [[nodiscard]] bool is_on(const machine::Waypoint& at) const;
+  [[nodiscard]] bool turns_teeth() const;
+  /// How much further than its outline a tool goes that turns with teeth, mm; infinity: no tooth
+  /// comes.
   [[nodiscard]] double way_of_turning(const Touch& touch, const machine::Sweep& sweep,
                                       const Approach& approach) const;
   std::optional<machine::SkipTrigger> first_touch_along(Points way, const machine::Listening& to);

@@ -17,11 +17,7 @@
 namespace g31::probe::pressed_surfaces_test {
 namespace {
 
-AxisPositions at(const Point& p) {
-  AxisPositions q = AxisPositions::Zero();
-  q.head<3>() = p;
-  return q;
-}
+using testing::at;
 
 /// A ball of 3 mm radius, its centre at the linear axes.
 ProbeSetup ball_at_the_axes() {

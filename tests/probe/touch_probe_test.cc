@@ -36,11 +36,7 @@ ProbeSetup straight_probe() {
   return setup;
 }
 
-AxisPositions at(const Point& p) {
-  AxisPositions q = AxisPositions::Zero();
-  q.head<3>() = p;
-  return q;
-}
+using testing::at;
 
 /// The gauge point over the ring's axis, ball centre 10 mm deep in the bore.
 Point spindle_in_bore(const ProbeSetup& setup) {

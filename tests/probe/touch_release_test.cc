@@ -14,11 +14,7 @@
 namespace g31::probe::touch_release_test {
 namespace {
 
-AxisPositions at(const Point& p) {
-  AxisPositions q = AxisPositions::Zero();
-  q.head<3>() = p;
-  return q;
-}
+using testing::at;
 
 using Way = std::vector<machine::Waypoint>;
 

@@ -12,11 +12,7 @@
 namespace g31::probe::whole_probe_test {
 namespace {
 
-AxisPositions at(const Point& p) {
-  AxisPositions q = AxisPositions::Zero();
-  q.head<3>() = p;
-  return q;
-}
+using testing::at;
 
 /// A thin stem and a body of 20 mm radius that begins 50 mm above a small ball.
 ProbeSetup probe_with_body() {

@@ -8,6 +8,13 @@
 
 namespace g31::testing {
 
+/// The linear axes there, the others at 0.
+inline AxisPositions at(const Point& p) {
+  AxisPositions q = AxisPositions::Zero();
+  q.head<kLinearAxisCount>() = p;
+  return q;
+}
+
 // What a world says to one straight piece or curve.
 
 inline std::array<machine::Waypoint, 2> ends_of(const machine::Sweep& sweep) {

@@ -155,6 +155,23 @@ deflection_limit = 9.0
   EXPECT_NEAR(b[0], right, 1e-7) << "deg; 1e-6 are 6 nm at the ball";
 }
 
+/// Tool 1, of one tooth, beside a cube.
+const std::string kOneTooth = R"([start]
+X = 224.5
+Z = 80.0
+[machine]
+stopping = "ideal"
+[[tool]]
+number = 1
+length = 100.0
+diameter = 16.0
+[[tool.teeth]]
+angle_deg = 0.0
+[[tool_probe]]
+size = 25.0
+at = [200.0, 0.0, 0.0]
+)";
+
 // One tooth of radius 8 turns at 1000 rev/min while the axis comes from 24.5 mm away at 5 mm/s: the
 // first root of x(t) + 8 cos(wt) = 12.5 along a trapezoid, by steps and halving.
 double first_tooth_by_steps(double acceleration) {
@@ -182,29 +199,13 @@ double first_tooth_by_steps(double acceleration) {
 
 TEST(TouchesOfRealMachines, ATurningToothHasTurnedOnWhileTheAxisGathersSpeed) {
   for (const double acceleration : {2000.0, 200.0}) {
-    const auto x = read({"tooth.nc", "O1\nT5M6\nM3S1000\nG91G31X-15.F300\n#500=#5061\nM30\n",
+    const auto x = read({"tooth.nc", "O1\nT1M6\nM3S1000\nG91G31X-15.F300\n#500=#5061\nM30\n",
                          R"([control]
 profile = "fanuc-30i"
 [probe]
 tool = 99
-[start]
-X = 224.5
-Z = 80.0
-[machine]
-stopping = "ideal"
-[machine.axes.X]
-acceleration = )" + std::to_string(acceleration) +
-                             R"(
-[[tool]]
-number = 5
-length = 100.0
-diameter = 16.0
-[[tool.teeth]]
-angle_deg = 0.0
-[[tool_probe]]
-size = 25.0
-at = [200.0, 0.0, 0.0]
-)"},
+)" + kOneTooth + "[machine.axes.X]\nacceleration = " +
+                             std::to_string(acceleration) + "\n"},
                         {"#500"});
     EXPECT_NEAR(x[0], first_tooth_by_steps(acceleration), 1e-6) << acceleration;
   }
@@ -225,21 +226,7 @@ tool = 99
 [tools.1]
 length = 0.0
 radius = 8.0
-[start]
-X = 224.5
-Z = 80.0
-[machine]
-stopping = "ideal"
-[[tool]]
-number = 1
-length = 100.0
-diameter = 16.0
-[[tool.teeth]]
-angle_deg = 0.0
-[[tool_probe]]
-size = 25.0
-at = [200.0, 0.0, 0.0]
-)"},
+)" + kOneTooth},
                         {"R1"});
     places.push_back(x[0]);
     EXPECT_NEAR(x[0], places.front(), 1e-9) << speed;

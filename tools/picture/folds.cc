@@ -30,11 +30,18 @@ const double kFold = 1.0 - std::cos(10.0 * std::numbers::pi / 180.0);
 /// Less than that is rounding.
 constexpr double kLeastGain = 1e-9;
 
-void leave_out(parts::Mesh& mesh, std::vector<std::uint32_t> triangles) {
-  std::ranges::sort(triangles, std::greater<>());
+void leave_out(parts::Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  std::vector<bool> goes(mesh.triangles.size());
   for (const std::uint32_t triangle : triangles) {
-    mesh.triangles.erase(mesh.triangles.begin() + triangle);
+    goes[triangle] = true;
   }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < goes.size(); ++t) {
+    if (!goes[t]) {
+      mesh.triangles[kept++] = mesh.triangles[t];
+    }
+  }
+  mesh.triangles.resize(kept);
 }
 
 class Flips {
@@ -66,7 +73,7 @@ class Flips {
         flip(edge, next);
       }
     }
-    leave_out(mesh_, std::move(gone_));
+    leave_out(mesh_, gone_);
   }
 
  private:
@@ -243,7 +250,7 @@ void drop_twins(parts::Mesh& mesh) {
       ++i;
     }
   }
-  leave_out(mesh, std::move(twins));
+  leave_out(mesh, twins);
 }
 
 }  // namespace

@@ -121,15 +121,16 @@ MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GC
 }
 
 MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code) {
-  const auto& [name, component, adds] = frame_code(code);
-  const auto frame = frame_of_words(channel, block, component);
+  const FrameCode& made = frame_code(code);
+  const auto frame = frame_of_words(channel, block, made.component);
   if (!frame) {
     return frame.error();
   }
-  if (adds && component == Component::Coarse) {
+  if (made.adds && made.component == Component::Coarse) {
     channel.program_frame.add_fine_shift(frame.value());
   } else {
-    channel.program_frame = adds ? channel.program_frame.chained(frame.value()) : frame.value();
+    channel.program_frame =
+        made.adds ? channel.program_frame.chained(frame.value()) : frame.value();
   }
   return take_program_frame(channel);
 }
