@@ -107,7 +107,7 @@ void configure_data(Runner& runner, const runtime::ControlSetup& setup,
 /// On a lathe the rotary axis that turns the part about Z is its first spindle, unless data say
 /// which axis is one.
 void preset_spindle_axis(Runner& runner, const runtime::ControlSetup& setup) {
-  constexpr std::string_view kName = "$MA_SPIND_ASSIGN_TO_MACHAX";
+  static constexpr std::string_view kName = "$MA_SPIND_ASSIGN_TO_MACHAX";
   const auto is_said = [](const auto& datum) { return datum.first.starts_with(kName); };
   if (!runner.channel().is_lathe() || std::ranges::any_of(setup.data, is_said)) {
     return;
