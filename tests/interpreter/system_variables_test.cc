@@ -201,5 +201,16 @@ TEST(SystemVariables, TheSkipPositionHasTheToolOffset) {
   EXPECT_EQ(haas.value("#5063"), 40.0) << "as suites that subtract #5083 expect";
 }
 
+TEST(SystemVariables, BeyondEveryControlAreToldByANumberOfTheirSize) {
+  for (const char* const program : {"#100=#[99999999999]", "#101=99999999*100\n#[#101]=1"}) {
+    const ControlRun run("fanuc-16i", program);
+    EXPECT_EQ(run.alarm(), kIllegal) << program;
+    EXPECT_EQ(run.outcome().alarm->detail.substr(0, 12), "#1000000000 ") << program;
+  }
+  const ControlRun negative("fanuc-16i", "#100=#[0-99999999*100]");
+  EXPECT_EQ(negative.alarm(), kIllegal);
+  EXPECT_EQ(negative.outcome().alarm->detail, "#-1000000000 cannot be read");
+}
+
 }  // namespace
 }  // namespace g31::fanuc::system_variables_test

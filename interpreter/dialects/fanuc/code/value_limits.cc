@@ -1,5 +1,6 @@
 #include "interpreter/dialects/fanuc/code/value_limits.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,7 +20,9 @@ std::int32_t variable_number(double index) {
   const bool has_part =
       may_have_part(index) && std::fmod(std::round(index * kParts), kParts) != 0.0;
   const double rounded = std::round(has_part ? index * kParts : index);
-  return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
+  // No control has variables beyond; a message names this one.
+  constexpr double kLargest = 1e9;
+  return static_cast<std::int32_t>(std::clamp(rounded, -kLargest, kLargest));
 }
 
 WrongValue no_divisor(Cell divisor) {
