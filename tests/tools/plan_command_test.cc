@@ -411,6 +411,7 @@ TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
       {{kProduct, "--stock", "box", "--tolerance", "-1"}, 2, "--tolerance"},
       {{kProduct, "--stock", "box", "--as-machined", truncated}, 2, "--as-machined"},
       {{kProduct, "--stock", "box", "--as-machined", truncated}, 2, "cut.step"},
+      {{kProduct, "--stock", "box", "--as-machined", "none.step"}, 2, "none.step: no such file"},
   };
   for (const Case& row : cases) {
     SCOPED_TRACE(fmt::format("{}", fmt::join(row.words, " ")));

@@ -45,9 +45,10 @@ class PartPlanner {
   explicit PartPlanner(const PlanRequest& request) : request_(request) {}
 
   Result<PlannedPart, Refusal> planned() {
-    for (const auto step : {&PartPlanner::find_features, &PartPlanner::choose_control,
-                            &PartPlanner::write_sheet, &PartPlanner::plan_touches_and_program,
-                            &PartPlanner::run_on_product, &PartPlanner::run_on_machined_part}) {
+    for (const auto step : {&PartPlanner::look_for_machined_part, &PartPlanner::find_features,
+                            &PartPlanner::choose_control, &PartPlanner::write_sheet,
+                            &PartPlanner::plan_touches_and_program, &PartPlanner::run_on_product,
+                            &PartPlanner::run_on_machined_part}) {
       if (auto wrong = (this->*step)()) {
         return *std::move(wrong);
       }
@@ -56,6 +57,16 @@ class PartPlanner {
   }
 
  private:
+  /// Planning takes its time: a file that is not there is told before.
+  Wrong look_for_machined_part() {
+    const std::string& path = request_.as_machined;
+    std::error_code ignored;
+    return path.empty() || std::filesystem::exists(path, ignored)
+               ? std::nullopt
+               : Wrong(session::bad_input(
+                     fmt::format("--as-machined {}: {}", path, disk::why_unreadable(path))));
+  }
+
   Wrong find_features() {
     if (as_valid_utf_8(request_.product) != request_.product) {
       return session::bad_input(
