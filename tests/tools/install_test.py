@@ -193,6 +193,8 @@ class InstalledTree(unittest.TestCase):
         self.assertEqual(self.complete("g31", "evaluate", "circle", "share/g31/macros/fanuc/O600"),
                          {f"share/g31/macros/fanuc/O600{n}.nc" for n in (1, 2, 3)})
         self.assertEqual(self.complete("g31", "evaluate", "--unit", "u"), {"um"})
+        self.assertEqual(self.complete("g31", "evaluate", "--sense", ""), {"travel", "gap"})
+        self.assertEqual(self.complete("g31", "evaluate", "--compensation-format", "s"), {"sheet", "sinumerik"})
         self.assertEqual(self.complete("g31", "run", "--lang", ""), {"en", "ja"})
         self.assertEqual(self.complete("g31", "run", "-s", "share/g31/machine/library/v"),
                          {"share/g31/machine/library/v55.toml"})

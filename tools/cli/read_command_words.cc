@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/exit_code_help.h"
+#include "tools/evaluate/compensation.h"
+#include "tools/evaluate/option_values.h"
 #include "tools/evaluate/request_words.h"
 #include "tools/page/language.h"
 #include "tools/session/control.h"
@@ -43,6 +45,12 @@ std::vector<std::string> known_words(std::string_view called) {
   }
   if (called == "UNIT") {
     return evaluate::unit_names();
+  }
+  if (called == "SENSE") {
+    return evaluate::sense_names();
+  }
+  if (called == "FORMAT") {
+    return evaluate::compensation_format_names();
   }
   std::vector<std::string> words;
   if (called == "KIND") {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,12 +53,12 @@ std::optional<CompensationFormat> compensation_format(std::string_view word) {
   return std::nullopt;
 }
 
-std::string compensation_formats_in_words() {
-  std::vector<std::string_view> words;
+std::vector<std::string> compensation_format_names() {
+  std::vector<std::string> names;
   for (const FormatRow& row : kFormats) {
-    words.push_back(row.word);
+    names.emplace_back(row.word);
   }
-  return fmt::format("a format is {}", fmt::join(words, ", "));
+  return names;
 }
 
 std::optional<std::string> why_no_compensation(CompensationFormat format,

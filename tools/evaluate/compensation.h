@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/evaluate/evaluation.h"
 
@@ -18,8 +19,8 @@ enum class CompensationFormat : std::uint8_t {
 
 /// The format of a word, the first one of ""; nullopt: it is none.
 std::optional<CompensationFormat> compensation_format(std::string_view word);
-/// What there is instead: "a format is sheet, ...".
-std::string compensation_formats_in_words();
+/// Of --compensation-format.
+std::vector<std::string> compensation_format_names();
 
 /// Why an error cannot be compensated so; nullopt: it can.
 std::optional<std::string> why_no_compensation(CompensationFormat format,

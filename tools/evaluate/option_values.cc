@@ -6,6 +6,9 @@
 #include <cmath>
 #include <string_view>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "tools/evaluate/compensation.h"
 #include "tools/setup/duration.h"
 
@@ -88,9 +91,21 @@ Wrong take_plane(std::string_view text, std::array<std::string, 2>& plane) {
   return std::nullopt;
 }
 
+struct SenseRow {
+  Sense sense;
+  std::string_view word;
+};
+
+constexpr std::array kSenses = {SenseRow{Sense::Travel, "travel"}, SenseRow{Sense::Gap, "gap"}};
+
 Wrong take_sense(std::string_view text, Sense& sense) {
-  sense = text == "gap" ? Sense::Gap : Sense::Travel;
-  return text == "gap" || text == "travel" ? std::nullopt : Wrong("a sense is travel or gap");
+  for (const SenseRow& row : kSenses) {
+    if (row.word == text) {
+      sense = row.sense;
+      return std::nullopt;
+    }
+  }
+  return fmt::format("a sense is {}", fmt::join(sense_names(), " or "));
 }
 
 /// A straightness: an error along one axis when another one moves.
@@ -101,6 +116,13 @@ Wrong check_error_name(std::string_view text) {
   return is_one ? std::nullopt : Wrong("a straightness is EYX, EZX, EXY, EZY, EXZ or EYZ");
 }
 
+Wrong check_compensation_format(std::string_view text) {
+  if (compensation_format(text)) {
+    return std::nullopt;
+  }
+  return fmt::format("a format is {}", fmt::join(compensation_format_names(), ", "));
+}
+
 }  // namespace
 
 std::optional<double> option_number(std::string_view text) {
@@ -109,6 +131,14 @@ std::optional<double> option_number(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   const bool is_one = error == std::errc{} && stop == end && std::abs(number) <= kLargest;
   return is_one ? std::optional(number) : std::nullopt;
+}
+
+std::vector<std::string> sense_names() {
+  std::vector<std::string> names;
+  for (const SenseRow& row : kSenses) {
+    names.emplace_back(row.word);
+  }
+  return names;
 }
 
 WrongValue take_value(OptionId id, const std::string& text, Request& request) {
@@ -147,7 +177,7 @@ WrongValue take_value(OptionId id, const std::string& text, Request& request) {
       request.error = text;
       return check_error_name(text);
     case OptionId::CompensationFormat:
-      return compensation_format(text) ? std::nullopt : Wrong(compensation_formats_in_words());
+      return check_compensation_format(text);
     case OptionId::Compensation:
     case OptionId::Diameters:
       return std::nullopt;  // files: the command opens them

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/evaluate/evaluate.h"
 
@@ -13,6 +14,9 @@ using WrongValue = std::optional<std::string>;
 
 /// A number of a size within 1e6 that is all of the text.
 std::optional<double> option_number(std::string_view text);
+
+/// Of --sense.
+std::vector<std::string> sense_names();
 
 /// Puts the value of an option into a request.
 WrongValue take_value(OptionId id, const std::string& text, Request& request);
