@@ -523,5 +523,41 @@ TEST(TriangleInSpace, ShiftRotationAndDistortion) {
   EXPECT_GT(run.at("ALM"), 0.0);
 }
 
+/// Afterwards the set points stand where the measured ones did, whatever lies within the offset.
+TEST(TriangleInSpace, IsCorrectedWithinAllFramesInForce) {
+  struct Row {
+    const char* before;  ///< G54
+    const char* behind;
+    int target;
+  };
+  const Row kRows[] = {
+      {"", "$P_WPFRAME=CROT(X,30)", 1},
+      {"", "$P_TOOLFRAME=CTRANS(X,7):CROT(Y,20)", 1},
+      {"", "$P_CYCFRAME=CROT(X,30)", 1},
+      {"$P_CHBFR[1]=CROT(Z,90)", "TRANS X5 Z7\nAROT Y15", 1000},
+      {"$P_CHBFR[1]=CROT(Z,90)", "", 1011},
+      {"$P_CHBFR[0]=CROT(Y,25)", "$P_WPFRAME=CROT(X,30)", 1012},
+      {"$P_CHBFR[1]=CROT(Z,90)", "$P_WPFRAME=CROT(X,30)", 2000},
+      {"$P_CHBFR[1]=CROT(Z,90)\n$P_CHBFRMASK=1", "", 1011},
+  };
+  for (const Row& row : kRows) {
+    SCOPED_TRACE(fmt::format("{} G54 {} {}", row.before, row.behind, row.target));
+    const std::string program = fmt::format(
+        "DEF REAL SP[3,3]=(0,0,0,100,0,0,0,100,0)\nDEF REAL MP[3,3]=(1,2,3,{0:.12f},{1:.12f},3,"
+        "{2:.12f},{3:.12f},3)\nDEF INT ALM\nDEF REAL RES\nDEF FRAME REF, WAS, IS\n{4}\nG54\n{5}\n"
+        "WAS=$P_ACTFRAME:CTRANS(X,MP[1,0],Y,MP[1,1],Z,MP[1,2])\n"
+        "CYCLE119(SP,MP,ALM,RES,REF,{6},0.01)\nIS=$P_ACTFRAME:CTRANS(X,SP[1,0])\n"
+        "R1=WAS[X,TR] R2=WAS[Y,TR] R3=WAS[Z,TR]\nR4=IS[X,TR] R5=IS[Y,TR] R6=IS[Z,TR]\nM30\n",
+        1 + 100 * cosine(10.0), 2 + 100 * sine(10.0), 1 - 100 * sine(10.0), 2 + 100 * cosine(10.0),
+        row.before, row.behind, row.target);
+    const MeasuringRun run = run_plain(program, {"R1", "R2", "R3", "R4", "R5", "R6", "ALM"});
+    ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
+    EXPECT_EQ(run.at("ALM"), 0.0);
+    for (int i = 1; i <= 3; ++i) {
+      EXPECT_NEAR(run.at(fmt::format("R{}", i + 3)), run.at(fmt::format("R{}", i)), 1e-9) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace g31::testing::angle_corner_arc_test

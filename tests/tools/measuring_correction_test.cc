@@ -161,6 +161,43 @@ TEST(WorkOffsetCorrection, OfFurtherBasicFrames) {
       ring_aside());
 }
 
+TEST(WorkOffsetCorrection, FramesThatTurnWithinAnOffsetCountWhereTheyAreInForce) {
+  expect_rows(
+      {{"a basic frame that the mask leaves out",
+        "$P_CHBFR[1]=CROT(Z,90)\n$P_CHBFRMASK=1\nG54\nX0 Y0 Z-5\nCYCLE977(101,11001,,1,40,,,2,5)",
+        {{"$P_CHBFR[0,X,TR]", 0.2}, {"$P_CHBFR[0,Y,TR]", -0.3}}},
+       {"a global one that the mask leaves out",
+        "$P_NCBFR[1]=CROT(Z,90)\n$P_NCBFRMASK=1\nG54\nX0 Y0 Z-5\nCYCLE977(101,13001,,1,40,,,2,5)",
+        {{"$P_NCBFR[0,X,TR]", 0.2}, {"$P_NCBFR[0,Y,TR]", -0.3}}},
+       {"a frame of a cycle",
+        "$P_CYCFRAME=CROT(Z,90)\nX0 Y0 Z-5\nCYCLE977(101,1,,1,40,,,2,5)",
+        {{"_OVR[5]", -0.3},
+         {"_OVR[6]", -0.2},
+         {"$P_UIFR[1,X,FI]", 0.2},
+         {"$P_UIFR[1,Y,FI]", -0.3}}},
+       {"the external offset, within the basic reference",
+        "$P_UIFR[1]=CTRANS(X,50,Y,-100,Z,-300)\nG54\n$P_EXTFRAME=CROT(Z,90)\nG0 X0 Y0\n"
+        "Z-5\nCYCLE977(101,12000,,1,40,,,2,5)",
+        {{"$P_SETFR[X,TR]", 0.2}, {"$P_SETFR[Y,TR]", -0.3}}}},
+      ring_aside());
+}
+
+TEST(WorkOffsetCorrection, OfTheBasicFramesThatMachineDataGive) {
+  const std::string one =
+      "[machine_data]\n\"$MC_MM_NUM_BASE_FRAMES\" = 1\n"
+      "\"$MN_MM_NUM_GLOBAL_BASE_FRAMES\" = 1\n";
+  const std::vector<std::string> sheets = {ring_aside(), kCalibrated, one};
+  expect_measured("Z-5\nCYCLE977(101,11001,,1,40,,,2,5)", sheets,
+                  {{"$P_CHBFR[0,X,TR]", 0.2}, {"$P_CHBFR[0,Y,TR]", -0.3}});
+  expect_measured("Z-5\nCYCLE977(101,13001,,1,40,,,2,5)", sheets,
+                  {{"$P_NCBFR[0,X,TR]", 0.2}, {"$P_NCBFR[0,Y,TR]", -0.3}});
+  for (const int knum : {11002, 13002}) {
+    const MeasuringRun run = run_measuring(fmt::format("Z-5\nCYCLE977(101,{},,1,40,,,2,5)", knum),
+                                           sheets, {"$P_CHBFR[0,X,TR]"});
+    EXPECT_NE(run.output.errors.find("[61321]"), std::string::npos) << run.output.errors;
+  }
+}
+
 TEST(WorkOffsetCorrection, OfAGrooveIsAcrossItOnly) {
   const std::string groove = part("groove", 100.2, 50.0, -300.0, "width = 20.0");
   expect_rows({{"a set point of the centre along the groove does not count",
