@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace g31::metrology {
 namespace {
@@ -22,44 +25,91 @@ double turning(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
+/// From the centre of a square, the corner looked at in the first quadrant.
+using Path = std::vector<Eigen::Vector2d>;
+
+Path path_at(const PlaneSamples& samples, const Square& square, std::size_t corner) {
+  const Eigen::Vector2d sign(kCorners.at(corner)[0], kCorners.at(corner)[1]);
+  Path path;
+  path.reserve(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    path.emplace_back((samples.at(i) - square.centre).cwiseProduct(sign));
+  }
+  return path;
+}
+
+double length_of(std::span<const Eigen::Vector2d> way) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    length += (way[i] - way[i - 1]).norm();
+  }
+  return length;
+}
+
+/// A record that begins and ends about a corner, from its range once round to its range, some
+/// samples further at both ends: what it says of the corner does not depend on where it begins.
+/// nullopt: its ends do not meet there, or ways to the square and away from it lie between them.
+/// @param path  of the whole record
+std::optional<Path> closed_about_corner(Path path, const SampleRange& range, double half_side) {
+  constexpr std::size_t kFurther = 8;
+  constexpr double kGap = 0.006;   // in half sides: where a range ends is known no better
+  constexpr double kDetour = 1.5;  // a quarter of a circle is 1.11 times its chord
+  const double gap = kGap * half_side;
+  const Eigen::Vector2d first = path.front();
+  const auto to_first = [&] { return Eigen::Vector2d(first - path.back()); };
+  // A sample at the place of the first one or beyond it has been there already.
+  while (path.size() > range.begin + 2 * kFurther && to_first().norm() <= gap &&
+         to_first().dot(path.back() - path[path.size() - 2]) <= 0.0) {
+    path.pop_back();
+  }
+  if (first.minCoeff() < 0.5 * half_side || to_first().norm() > gap) {
+    return std::nullopt;
+  }
+  std::ranges::rotate(path, path.begin() + static_cast<std::ptrdiff_t>(range.begin));
+  const std::size_t end = std::min(range.end - range.begin, path.size());
+  const double way =
+      length_of(std::span(path).subspan(end - 1)) + (path.front() - path.back()).norm();
+  if (way > kDetour * (path.front() - path[end - 1]).norm() + gap) {
+    return std::nullopt;
+  }
+  const Path before(path.end() - kFurther, path.end());
+  const Path behind(path.begin(), path.begin() + kFurther);
+  path.insert(path.end(), behind.begin(), behind.end());
+  path.insert(path.begin(), before.begin(), before.end());
+  return path;
+}
+
 /// The path at one corner, seen along its diagonal.
 class CornerView {
  public:
-  CornerView(const CornerRecord& record, const Square& square, std::size_t corner)
-      : samples_(record.samples),
-        range_(record.range),
-        resolution_(record.resolution),
-        square_(square),
-        sign_(kCorners.at(corner)[0], kCorners.at(corner)[1]) {}
+  CornerView(Path path, const Square& square, double resolution)
+      : path_(std::move(path)), square_(square), resolution_(resolution) {}
 
   [[nodiscard]] std::optional<CornerCrossing> furthest() const {
     std::optional<CornerCrossing> largest;
     std::optional<std::size_t> nearest;
-    for (std::size_t i = range_.begin; i < range_.end; ++i) {
-      const Eigen::Vector2d q = at(i);
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      const Eigen::Vector2d& q = path_[i];
       if (q.minCoeff() < 0.5 * square_.half_side) {
         continue;
       }
       if (std::abs(side_of(q)) <= kOnDiagonal * square_.half_side &&
-          (!nearest || distance(q) < distance(at(*nearest)))) {
+          (!nearest || distance(q) < distance(path_[*nearest]))) {
         nearest = i;
       }
-      if (i + 1 < range_.end && crosses(q, at(i + 1))) {
+      if (i + 1 < path_.size() && crosses(q, path_[i + 1])) {
         const CornerCrossing here = crossing(i);
         largest = !largest || std::abs(here.error) > std::abs(largest->error) ? here : *largest;
       }
     }
     if (!largest && nearest) {
-      largest = {square_.ray_error(samples_.at(*nearest)), 0.0};
+      largest = {square_.ray_error(square_.centre + path_[*nearest]), 0.0};
     }
     return largest;
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d at(std::size_t i) const {
-    return (samples_.at(i) - square_.centre).cwiseProduct(sign_);
-  }
-  [[nodiscard]] Eigen::Vector2d step(std::size_t i) const { return at(i + 1) - at(i); }
+  [[nodiscard]] Eigen::Vector2d step(std::size_t i) const { return path_[i + 1] - path_[i]; }
   static double side_of(const Eigen::Vector2d& q) { return q.x() - q.y(); }
   [[nodiscard]] double distance(const Eigen::Vector2d& q) const {
     return (q - Eigen::Vector2d::Constant(square_.half_side)).norm();
@@ -84,7 +134,7 @@ class CornerView {
     const Eigen::Vector2d before = step(i - 1);
     const Eigen::Vector2d behind = step(i + 1);
     const bool leads_there =
-        side_of(before) * side_of(at(i)) < 0.0 && side_of(behind) * side_of(at(i + 1)) > 0.0;
+        side_of(before) * side_of(path_[i]) < 0.0 && side_of(behind) * side_of(path_[i + 1]) > 0.0;
     const double between = cross(before, behind);
     if (!leads_there || between == 0.0) {
       return std::nullopt;
@@ -94,7 +144,7 @@ class CornerView {
     if (ahead < 0.0 || back < 0.0) {
       return std::nullopt;
     }
-    return Eigen::Vector2d(at(i) + ahead * before);
+    return Eigen::Vector2d(path_[i] + ahead * before);
   }
 
   /// How far a sample lies beside the straight way through the two beyond it, mm.
@@ -113,15 +163,15 @@ class CornerView {
     constexpr double kRounding = 1e-15;  // of the numbers themselves, to their size
     double scatter = 0.0;
     for (const std::size_t further : {1U, 2U}) {
-      if (i >= range_.begin + 2 + further) {
+      if (i >= 2 + further) {
         scatter = std::max(scatter, bend(step(i - 1 - further), step(i - 2 - further)));
       }
-      if (i + 3 + further < range_.end) {
+      if (i + 3 + further < path_.size()) {
         scatter = std::max(scatter, bend(step(i + 1 + further), step(i + 2 + further)));
       }
     }
-    const double written =
-        std::max(resolution_, kRounding * (samples_.at(i).norm() + square_.half_side));
+    const double written = std::max(
+        resolution_, kRounding * (square_.centre.norm() + path_[i].norm() + square_.half_side));
     const auto is_straight = [&](const Eigen::Vector2d& towards, const Eigen::Vector2d& beyond) {
       const double length = beyond.norm();
       const double lever = length > 0.0 ? 1.0 + towards.norm() / length : 1.0;
@@ -138,8 +188,8 @@ class CornerView {
 
   /// The diagonal lies between samples i and i + 1.
   [[nodiscard]] CornerCrossing crossing(std::size_t i) const {
-    const double chord = beyond(at(i), at(i + 1));
-    if (i < range_.begin + 2 || i + 3 >= range_.end) {
+    const double chord = beyond(path_[i], path_[i + 1]);
+    if (i < 2 || i + 3 >= path_.size()) {
       return {chord, 0.0};
     }
     const auto tip = prolonged(i);
@@ -147,24 +197,29 @@ class CornerView {
       return {chord, 0.0};
     }
     // The tip need not lie on the diagonal: the path crosses that on its way there or from there.
-    const bool is_beyond = (side_of(at(i)) < 0.0) != (side_of(*tip) < 0.0);
-    const double sharp = is_beyond ? beyond(at(i), *tip) : beyond(*tip, at(i + 1));
+    const bool is_beyond = (side_of(path_[i]) < 0.0) != (side_of(*tip) < 0.0);
+    const double sharp = is_beyond ? beyond(path_[i], *tip) : beyond(*tip, path_[i + 1]);
     return is_sharp(i) ? CornerCrossing{sharp, chord - sharp}
                        : CornerCrossing{chord, sharp - chord};
   }
 
-  PlaneSamples samples_;
-  SampleRange range_;
-  double resolution_;
+  Path path_;
   const Square& square_;
-  Eigen::Vector2d sign_;
+  double resolution_;
 };
 
 }  // namespace
 
 std::optional<CornerCrossing> corner_crossing(const CornerRecord& record, const Square& square,
                                               std::size_t corner) {
-  return CornerView(record, square, corner).furthest();
+  Path path = path_at(record.samples, square, corner);
+  if (auto closed = closed_about_corner(path, record.range, square.half_side)) {
+    path = *std::move(closed);
+  } else {
+    path.resize(record.range.end);
+    path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(record.range.begin));
+  }
+  return CornerView(std::move(path), square, record.resolution).furthest();
 }
 
 }  // namespace g31::metrology

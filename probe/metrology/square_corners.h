@@ -22,7 +22,8 @@ struct CornerRecord {
 };
 
 /// Of several crossings the one furthest from the corner; where there is none, the sample that is
-/// nearest on the diagonal.
+/// nearest on the diagonal.  A record that begins and ends about the corner is taken to go on
+/// there.
 /// @param corner  0 to 3, from +X +Y counter-clockwise
 std::optional<CornerCrossing> corner_crossing(const CornerRecord& record, const Square& square,
                                               std::size_t corner);

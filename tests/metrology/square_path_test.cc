@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -286,6 +287,70 @@ TEST(SquarePath, ARoughRecordKeepsTheCornerAtWhichItBeginsAndEnds) {
     for (const auto& error : evaluated(record, request).corner_error) {
       ASSERT_TRUE(error.has_value());
       EXPECT_NEAR(*error, 0.0, 2e-3);
+    }
+  }
+}
+
+/// Once round a closed way at 0.05 mm a sample, from a place behind its first point on.
+Record round_from(double place, const std::vector<Eigen::Vector2d>& corners) {
+  constexpr double kStep = 0.05;
+  double length = 0.0;
+  for (std::size_t n = 0; n < corners.size(); ++n) {
+    length += (corners[(n + 1) % corners.size()] - corners[n]).norm();
+  }
+  Record record;
+  for (int i = 0; kStep * i <= length + 1e-9; ++i) {
+    double s = std::fmod(place + kStep * i + length, length);
+    std::size_t n = 0;
+    const auto side = [&] {
+      return Eigen::Vector2d(corners[(n + 1) % corners.size()] - corners[n]);
+    };
+    for (; s > side().norm(); ++n) {
+      s -= side().norm();
+    }
+    const Eigen::Vector2d p = corners[n] + s * side().normalized();
+    record.t.push_back(1e-3 * i);
+    record.x.push_back(p.x());
+    record.y.push_back(p.y());
+  }
+  return record;
+}
+
+/// A square turned by 100 um/m, to either side: its sides cross the diagonals 7.07 um inside the
+/// corners, half of them 10 um from where it turns.
+TEST(SquarePath, ATurnedSquareMayBeginAnywhereAboutACorner) {
+  for (const double turn : {1e-4, -1e-4}) {
+    const double in = 50.0 * (1.0 - turn);
+    const double out = 50.0 * (1.0 + turn);
+    const double t = std::abs(turn);
+    const double expected = -std::numbers::sqrt2 * 50.0 * t * (1.0 - t) / (1.0 + t);
+    for (int place = -150; place <= 250; place += 7) {
+      const Record record =
+          round_from(1e-3 * place, {{in, out}, {-out, in}, {-in, -out}, {out, -in}});
+      const SquareEvaluation found = evaluated(record, {100.0, {{0.0, 0.0}}});
+      for (const auto& error : found.corner_error) {
+        ASSERT_TRUE(error.has_value()) << place;
+        EXPECT_NEAR(*error, expected, 1e-9) << place;
+      }
+    }
+  }
+}
+
+/// Corners cut by 1 mm, across their diagonals half a millimetre inside each axis' side.
+TEST(SquarePath, ACutCornerMayBeBegunOn) {
+  for (int place = -100; place <= 1500; place += 31) {
+    const Record record = round_from(1e-3 * place, {{50.0, 49.0},
+                                                    {49.0, 50.0},
+                                                    {-49.0, 50.0},
+                                                    {-50.0, 49.0},
+                                                    {-50.0, -49.0},
+                                                    {-49.0, -50.0},
+                                                    {49.0, -50.0},
+                                                    {50.0, -49.0}});
+    const SquareEvaluation found = evaluated(record, {});
+    for (const auto& error : found.corner_error) {
+      ASSERT_TRUE(error.has_value()) << place;
+      EXPECT_NEAR(*error, -0.5 * std::numbers::sqrt2, 1e-3) << place;
     }
   }
 }
