@@ -1,7 +1,13 @@
 // What a shop enters: tables of both controls, reckoned by hand from a curve.
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
 #include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -83,24 +89,132 @@ TEST(CompensationFormats, SinumerikHeadNamesWhatMakesItAct) {
               HasSubstr("\n; It acts with MD32700[0,X1]=1 afterwards.\n"));
 }
 
-// Targets that are not evenly spaced, as ISO 230-2 asks for: 0, 10 and 100 become nine places.
+// Targets that are not evenly spaced, as ISO 230-2 asks for: 0, 10 and 100 become eleven places.
 TEST(CompensationFormats, SinumerikTablesAreEven) {
   const std::string uneven =
       "axis,target,direction,cycle,position\n"
       "Z,0,1,1,0\nZ,0,1,2,0\nZ,10,1,1,10.004\nZ,10,1,2,10.004\nZ,100,1,1,100.013\n"
       "Z,100,1,2,100.013\n";
   const std::string text = table("positioning", "sinumerik", uneven);
-  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP_STEP[0,Z1]=12.500000\n"));
-  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP[0,1,Z1]=0.004250\n"));  // 0.004 + 2.5 / 90 x 0.009
-  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP[0,8,Z1]=0.013000\n"));
-  EXPECT_THAT(text, Not(HasSubstr("$AA_ENC_COMP[0,9,")));
+  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP_STEP[0,Z1]=10.000000\n"));
+  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP[0,1,Z1]=0.004000\n"));
+  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP[0,2,Z1]=0.005000\n"));
+  EXPECT_THAT(text, HasSubstr("$AA_ENC_COMP[0,10,Z1]=0.013000\n"));
+  EXPECT_THAT(text, Not(HasSubstr("$AA_ENC_COMP[0,11,")));
+  EXPECT_THAT(text, Not(HasSubstr("It leaves")));
+}
+
+/// Targets some 60 mm apart, none as far from the next as another, of which every second is 10 um
+/// further off than the one before.
+class UnevenTargets : public ::testing::Test {
+ protected:
+  void take(int count, double between, double jitter) {
+    for (int n = 0; n < count; ++n) {
+      targets_.push_back(between * n + jitter * ((n * n * 7) % 23));
+      deviations_um_.push_back(n % 2 == 0 ? 0.0 : 10.0);
+      for (int cycle = 1; cycle <= 2; ++cycle) {
+        record_ += fmt::format("X,{0},1,{1},{2:.6f}\n", targets_.back(), cycle,
+                               targets_.back() + 0.001 * deviations_um_.back());
+      }
+    }
+  }
+
+  /// The most that corrections on lines between places leave at a target, um.
+  [[nodiscard]] double left_by(const std::map<double, double>& corrections_um) const {
+    double most = 0.0;
+    for (std::size_t n = 0; n < targets_.size(); ++n) {
+      const auto behind = corrections_um.lower_bound(targets_[n] - 1e-9);
+      const auto before = behind == corrections_um.begin() ? behind : std::prev(behind);
+      const double way = behind->first - before->first;
+      const double share = way > 0.0 ? (targets_[n] - before->first) / way : 0.0;
+      const double correction = before->second + share * (behind->second - before->second);
+      most = std::max(most, std::abs(deviations_um_[n] + correction));
+    }
+    return most;
+  }
+
+  std::vector<double> targets_;
+  std::vector<double> deviations_um_;
+  std::string record_ = "axis,target,direction,cycle,position\n";
+};
+
+double number_behind(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  EXPECT_NE(at, std::string::npos) << words << " in\n" << text;
+  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
+}
+
+std::map<double, double> entered_into_fanuc(const std::string& text) {
+  const double reference = number_behind(text, "N3620 P1 R");
+  const double unit = number_behind(text, "N3623 P1 R");
+  const double interval = 0.001 * number_behind(text, "N3624 P1 R");
+  std::map<double, double> corrections = {{0.0, 0.0}};
+  double sum = 0.0;
+  for (auto n = static_cast<int>(reference) + 1;; ++n) {
+    const std::string point = fmt::format("\nN{} R", 10000 + n);
+    if (text.find(point) == std::string::npos) {
+      return corrections;
+    }
+    sum += unit * number_behind(text, point);
+    corrections[(n - reference) * interval] = sum;
+  }
+}
+
+std::map<double, double> entered_into_sinumerik(const std::string& text) {
+  const double step = number_behind(text, "$AA_ENC_COMP_STEP[0,X1]=");
+  std::map<double, double> corrections;
+  for (int n = 0;; ++n) {
+    const std::string point = fmt::format("$AA_ENC_COMP[0,{},X1]=", n);
+    if (text.find(point) == std::string::npos) {
+      return corrections;
+    }
+    corrections[n * step] = -1000.0 * number_behind(text, point);
+  }
+}
+
+// Lines between points as far apart as the nearest targets would leave 7 of the 10 um.
+TEST_F(UnevenTargets, FanucPointsAreNearEnough) {
+  take(17, 60.0, 1.3);
+  const std::string text = table("positioning", "fanuc", record_);
+  const double left = left_by(entered_into_fanuc(text));
+  EXPECT_LE(left, 0.5 * number_behind(text, "N3623 P1 R") + 1e-6);
+  EXPECT_NEAR(left, number_behind(text, "MM APART LEAVE "), 0.05 + 1e-6);
+}
+
+// So many points as bring 121 targets near enough a Fanuc has not; it says what is left.
+TEST_F(UnevenTargets, FanucSaysWhatItsPointsLeave) {
+  take(121, 6.0, 0.1);
+  const std::string text = table("positioning", "fanuc", record_);
+  const double left = left_by(entered_into_fanuc(text));
+  EXPECT_GT(left, 1.0);
+  EXPECT_LT(left, 5.0);
+  EXPECT_NEAR(left, number_behind(text, "MM APART LEAVE "), 0.05 + 1e-6);
+}
+
+TEST_F(UnevenTargets, SinumerikPointsAreNearEnough) {
+  take(121, 8.0, 0.25);
+  const std::string text = table("positioning", "sinumerik", record_);
+  EXPECT_LE(left_by(entered_into_sinumerik(text)), 0.05);
+  EXPECT_THAT(text, Not(HasSubstr("It leaves")));
+}
+
+TEST_F(UnevenTargets, SinumerikSaysWhatItsPointsLeave) {
+  take(400, 4.0, 0.1037);
+  const std::string text = table("positioning", "sinumerik", record_);
+  const std::map<double, double> corrections = entered_into_sinumerik(text);
+  EXPECT_LE(corrections.size(), 5000U);
+  const double left = left_by(corrections);
+  EXPECT_GT(left, 0.05);
+  EXPECT_LT(left, 1.0);
+  EXPECT_NEAR(left, number_behind(text, "; It leaves "), 0.05 + 1e-3);
 }
 
 // The corrections -8, 0 and 15 um gain 8 and 15; units of 3 um, so that none is above 7.
 // The section before coordinate 0 has the number of 3620, the one behind it the next.
 TEST(CompensationFormats, FanucPitchErrorsAreGainsFromPointToPoint) {
   EXPECT_THAT(table("positioning", "fanuc", kPositioning),
-              HasSubstr("G10 L52\n(PITCH ERRORS OF X, UNITS OF 3 UM)\nN3620 P1 R2\nN3621 P1 R2\n"
+              HasSubstr("G10 L52\n(PITCH ERRORS OF X, UNITS OF 3 UM)\n(POINTS 100 MM APART LEAVE "
+                        "1.0 UM AT THE PLACES MEASURED)\nN3620 P1 R2\nN3621 P1 R2\n"
                         "N3622 P1 R3\nN3623 P1 R3\nN3624 P1 R100000\nN10002 R3\nN10003 R5\nG11\n"));
 }
 

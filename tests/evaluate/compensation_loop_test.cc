@@ -234,27 +234,40 @@ TEST(CompensationLoop, FanucStraightness) {
   }
 }
 
+/// The table of two neighbouring places, between which the correction gains twice the deviation.
+testing::EvaluateOutput steep(const TemporaryFolder& folder, double place, double way,
+                              double deviation) {
+  cli::EvaluateOptions options;
+  options.kind = "positioning";
+  options.given[OptionId::Compensation] = folder.path("table.nc");
+  options.given[OptionId::CompensationFormat] = "fanuc";
+  std::string record = "axis,target,direction,cycle,position\n";
+  for (int cycle = 1; cycle <= 2; ++cycle) {
+    record += fmt::format("X,{0},1,{1},{2:.3f}\nX,{3},1,{1},{4:.3f}\n", place, cycle,
+                          place - deviation, place + way, place + way + deviation);
+  }
+  return testing::evaluate_text(record, options);
+}
+
 // Corrections of 3.51 units of 100 um round to 4: two of them are a gain of 8, and there is no
-// magnification above 100.
+// magnification above 100; points half as far apart gain half as much each.
+TEST(CompensationLoop, AFanucTakesPointsThatItsLargestMagnificationReaches) {
+  for (const auto& [deviation, expected] :
+       {std::pair(0.349, "N3623 P1 R100\nN3624 P1 R100000\n"), {0.351, "N3624 P1 R50000\n"}}) {
+    const TemporaryFolder folder;
+    const auto output = steep(folder, 0.0, 100.0, deviation);
+    EXPECT_EQ(output.exit_code, 0) << output.errors;
+    EXPECT_NE(testing::text_of(folder.path("table.nc")).find(expected), std::string::npos)
+        << deviation;
+  }
+}
+
+// 900 mm from coordinate 0 the 1023 points cannot be nearer than 1 mm.
 TEST(CompensationLoop, AFanucRefusesWhatItsLargestMagnificationDoesNotReach) {
   for (const auto& [deviation, exit_code] : {std::pair(0.351, 2), {0.349, 0}}) {
     const TemporaryFolder folder;
-    cli::EvaluateOptions options;
-    options.kind = "positioning";
-    options.given[OptionId::Compensation] = folder.path("table.nc");
-    options.given[OptionId::CompensationFormat] = "fanuc";
-    std::string record = "axis,target,direction,cycle,position\n";
-    for (int cycle = 1; cycle <= 2; ++cycle) {
-      // Neighbouring points: from one to the next the correction gains twice the deviation.
-      record += fmt::format("X,0,1,{0},{1:.3f}\nX,100,1,{0},{2:.3f}\n", cycle, -deviation,
-                            100.0 + deviation);
-    }
-    const auto output = testing::evaluate_text(record, options);
+    const auto output = steep(folder, 900.0, 1.0, deviation);
     EXPECT_EQ(output.exit_code, exit_code) << output.errors;
-    if (exit_code == 0) {
-      EXPECT_NE(testing::text_of(folder.path("table.nc")).find("N3623 P1 R100\n"),
-                std::string::npos);
-    }
   }
 }
 
@@ -274,6 +287,8 @@ TEST(CompensationLoop, AFanucTakesALargeDeviationThatHardlyChanges) {
   EXPECT_EQ(output.exit_code, 0) << output.errors;
   EXPECT_NE(testing::text_of(folder.path("table.nc"))
                 .find("N3623 P1 R1\nN3624 P1 R100000\nN10002 R-3\nN10003 R2\n"),
+            std::string::npos);
+  EXPECT_NE(testing::text_of(folder.path("table.nc")).find("\n(AND 2000 UM EVERYWHERE:"),
             std::string::npos);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "machine/base/contract.h"
@@ -10,9 +11,8 @@ namespace g31::evaluate {
 namespace {
 
 constexpr double kSamePlace = 1e-6;  // mm
-/// Of a table of an 828D.  Source: function manual K3, 6FC5397-1BP40-3BA1, page 264.
-constexpr std::size_t kMostPoints = 200;
-constexpr std::size_t kStepsBetweenPoints = 4;
+/// Less is 0.0 um where tenths are written, mm.
+constexpr double kNothingLeft = 0.00005;
 
 bool is_even(const Curve& curve, double step) {
   const double first = curve.points.front()[0];
@@ -43,15 +43,49 @@ errors::ErrorTable error_table(const Curve& curve) {
   return errors::ErrorTable(std::move(rows));
 }
 
-EvenTable even_table(const Curve& curve) {
+double left_at_places(const Curve& curve, const EvenTable& table) {
+  const auto last = static_cast<double>(table.values.size() - 1);
+  double most = 0.0;
+  for (const auto& [place, deviation] : curve.points) {
+    const double along = std::clamp((place - table.first) / table.step, 0.0, last);
+    const auto n = static_cast<std::size_t>(std::min(along, last - 1.0));
+    const double share = along - static_cast<double>(n);
+    const double on_line = (1.0 - share) * table.values[n] + share * table.values[n + 1];
+    most = std::max(most, std::abs(deviation - on_line));
+  }
+  return most;
+}
+
+double smallest_distance(const Curve& curve) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 1; n < curve.points.size(); ++n) {
+    smallest = std::min(smallest, curve.points[n][0] - curve.points[n - 1][0]);
+  }
+  return smallest;
+}
+
+EvenTable even_table(const Curve& curve, std::size_t most) {
   G31_EXPECTS(curve.points.size() >= 2);
   const double first = curve.points.front()[0];
   const double length = curve.points.back()[0] - first;
-  std::size_t steps = curve.points.size() - 1;
-  if (!is_even(curve, length / static_cast<double>(steps))) {
-    steps = std::max(steps, std::min(kStepsBetweenPoints * steps, kMostPoints - 1));
+  const auto sections = static_cast<double>(curve.points.size() - 1);
+  const double finest = length / static_cast<double>(most - 1);
+  if (const double step = length / sections; step >= finest && is_even(curve, step)) {
+    return table_of(curve, first, step, curve.points.size());
   }
-  return table_of(curve, first, length / static_cast<double>(steps), steps + 1);
+  const double widest = smallest_distance(curve);
+  EvenTable best;
+  double left = std::numeric_limits<double>::infinity();
+  for (double parts = 1.0, step = 0.0; left > kNothingLeft && step != finest; ++parts) {
+    step = std::max(widest / parts, finest);
+    const double steps = std::ceil(length / step - kSamePlace);
+    EvenTable table = table_of(curve, first, step, static_cast<std::size_t>(steps) + 1);
+    if (const double now = left_at_places(curve, table); now < left) {
+      left = now;
+      best = std::move(table);
+    }
+  }
+  return best;
 }
 
 EvenTable table_on_multiples(const Curve& curve, double step) {

@@ -29,13 +29,18 @@ struct PitchPoints {
   std::int64_t highest = 0;
 };
 
-/// The smallest distance of two places, in whole detection units.
-double interval_of(const Curve& curve) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 1; n < curve.points.size(); ++n) {
-    smallest = std::min(smallest, curve.points[n][0] - curve.points[n - 1][0]);
-  }
-  return std::max(1.0, std::round(smallest * kUnitsPerMm)) / kUnitsPerMm;
+/// A part of the smallest distance of two places, in whole detection units, mm.
+double interval_of(const Curve& curve, double parts = 1.0) {
+  const double units = std::round(smallest_distance(curve) * kUnitsPerMm / parts);
+  return std::max(1.0, units) / kUnitsPerMm;
+}
+
+/// Whether more points are needed than there are.
+bool is_too_fine(const Curve& curve, double interval) {
+  const double low = curve.points.front()[0];
+  const double high = curve.points.back()[0];
+  const double reach = std::max(std::abs(low), std::abs(high));
+  return (high - low + reach) / interval > kMostNumber;
 }
 
 constexpr double kSameSection = 1e-6;  // of an interval
@@ -94,10 +99,6 @@ std::int64_t largest(const std::vector<std::int64_t>& gains) {
   return most;
 }
 
-EvenTable pitch_table(const Curve& curve) {
-  return table_on_multiples(curve, interval_of(curve));
-}
-
 /// The smallest with which no gain is more than a point can have; nullopt: there is none.
 std::optional<std::int64_t> magnification_of(const EvenTable& table) {
   for (std::int64_t magnification = 1; magnification <= kMostMagnification; ++magnification) {
@@ -108,19 +109,76 @@ std::optional<std::int64_t> magnification_of(const EvenTable& table) {
   return std::nullopt;
 }
 
+/// The points of a moving axis, and what they leave.
+struct PitchErrors {
+  EvenTable table = {};
+  std::int64_t magnification = 1;
+  double left = 0.0;  ///< of the curve at its places, beside what is the same everywhere, mm
+
+  [[nodiscard]] double unit() const { return static_cast<double>(magnification) / kUnitsPerMm; }
+};
+
+/// nullopt: a gain is more than any magnification reaches.
+std::optional<PitchErrors> pitch_errors_at(const Curve& curve, double interval) {
+  PitchErrors errors{table_on_multiples(curve, interval)};
+  const auto magnification = magnification_of(errors.table);
+  if (!magnification) {
+    return std::nullopt;
+  }
+  errors.magnification = *magnification;
+  EvenTable written = errors.table;
+  for (double& value : written.values) {
+    value = errors.unit() * std::round(value / errors.unit());
+  }
+  errors.left = left_at_places(curve, written);
+  return errors;
+}
+
+/// With points as far apart as the nearest two places or a whole part of that: the widest with
+/// which the rounding to units is all that is left, or those of all that leave least.
+std::optional<PitchErrors> pitch_errors_of(const Curve& curve) {
+  constexpr double kRounding = 0.5 + 1e-6;  // of a unit
+  std::optional<PitchErrors> best;
+  for (double parts = 1.0; parts <= kMostNumber; ++parts) {
+    const double interval = interval_of(curve, parts);
+    if (is_too_fine(curve, interval)) {
+      break;
+    }
+    const auto errors = pitch_errors_at(curve, interval);
+    if (errors && (!best || errors->left < best->left)) {
+      best = errors;
+    }
+    if (errors && errors->left <= kRounding * errors->unit()) {
+      break;
+    }
+  }
+  return best;
+}
+
+/// What the machine will be off where the error was measured.
+std::string what_is_left(const PitchErrors& errors, const Curve& curve) {
+  std::string text = fmt::format("(POINTS {} MM APART LEAVE {:.1f} UM AT THE PLACES MEASURED)\n",
+                                 errors.table.step, kUmPerMm * errors.left);
+  const double everywhere = std::round(error_table(curve).at(0.0) / errors.unit());
+  if (everywhere != 0.0) {
+    text += fmt::format("(AND {} UM EVERYWHERE: AT COORDINATE 0 THEY CORRECT NOTHING)\n",
+                        everywhere * static_cast<double>(errors.magnification));
+  }
+  return text;
+}
+
 /// @pre why_no_fanuc_compensation() has nothing to say
 std::string pitch_errors(const MachineError& error, int axis) {
-  const EvenTable table = pitch_table(error.deviations);
-  const PitchPoints points = points_of(table);
-  const std::int64_t magnification = *magnification_of(table);
-  const std::vector<std::int64_t> gains = gains_of(table, magnification);
+  const PitchErrors errors = *pitch_errors_of(error.deviations);
+  const PitchPoints points = points_of(errors.table);
   std::string text =
-      fmt::format("(PITCH ERRORS OF {}, UNITS OF {} UM)\n", error.name[2], magnification) +
-      points_text(points, axis) + parameter(3623, axis, magnification) +
+      fmt::format("(PITCH ERRORS OF {}, UNITS OF {} UM)\n", error.name[2], errors.magnification) +
+      what_is_left(errors, error.deviations) + points_text(points, axis) +
+      parameter(3623, axis, errors.magnification) +
       parameter(3624, axis, std::llround(points.interval * kUnitsPerMm));
-  const std::int64_t first = points.reference + 1 + section_from(table.first, points.interval);
-  for (std::size_t n = 0; n < gains.size(); ++n) {
-    text += fmt::format("N{} R{}\n", 10000 + first + static_cast<std::int64_t>(n), gains[n]);
+  std::int64_t n = 10000 + points.reference + section_from(errors.table.first, points.interval);
+  for (const std::int64_t gain : gains_of(errors.table, errors.magnification)) {
+    text += fmt::format("N{} R{}\n", ++n, gain);
   }
   return text;
 }
@@ -173,7 +231,7 @@ FourPoints best_four(const Curve& curve, const EvenTable& table) {
 }
 
 std::string straightness(const MachineError& error, int moving, int compensated) {
-  const EvenTable table = pitch_table(error.deviations);
+  const EvenTable table = table_on_multiples(error.deviations, interval_of(error.deviations));
   PitchPoints points = points_of(table);
   points.lowest = std::min(points.lowest, point_at(points, table.first));
   const FourPoints four = best_four(error.deviations, table);
@@ -201,15 +259,12 @@ std::string straightness(const MachineError& error, int moving, int compensated)
 std::optional<std::string> why_no_fanuc_compensation(const MachineError& error) {
   const Curve& curve = error.deviations;
   const double interval = interval_of(curve);
-  const double sections = (curve.points.back()[0] - curve.points.front()[0]) / interval;
-  const double reach =
-      std::max(std::abs(curve.points.front()[0]), std::abs(curve.points.back()[0]));
-  if (sections + reach / interval > kMostNumber) {
+  if (is_too_fine(curve, interval)) {
     return fmt::format(
         "a Fanuc has points 0 to 1023, and places {} mm apart would need more: leave out rows",
         interval);
   }
-  if (error.name[1] == error.name[2] && !magnification_of(pitch_table(curve))) {
+  if (error.name[1] == error.name[2] && !pitch_errors_of(curve)) {
     return fmt::format("a Fanuc corrects {} um from one point to the next at most",
                        kMostPitchError * kMostMagnification);
   }

@@ -7,14 +7,26 @@
 namespace g31::evaluate {
 namespace {
 
+/// Of a table across an axis of an 828D.  Source: function manual K3, 6FC5397-1BP40-3BA1, page 264.
+constexpr std::size_t kMostAcross = 200;
+/// Of a table along an axis, the upper limit of MD38000.
+constexpr std::size_t kMostAlong = 5000;
+
+/// What a table leaves of the error, as a line of its head; nothing where that is 0.0.
+std::string what_is_left(const EvenTable& table, const Curve& curve) {
+  const std::string left = fmt::format("{:.1f}", kUmPerMm * left_at_places(curve, table));
+  return left == "0.0" ? "" : fmt::format("; It leaves {} um at the places measured.\n", left);
+}
+
 /// Encoder compensation of the first encoder.
-std::string along_axis(const EvenTable& table, char axis) {
+std::string along_axis(const EvenTable& table, const MachineError& error) {
+  const char axis = error.name[2];
   std::string text = fmt::format(
       "%_N_AX_EEC_INI\n"
       "; Compensation along {0}1, mm: positive values move the axis in the negative direction.\n"
       "; Load it with MD32700[0,{0}1]=0; MD38000[0,{0}1]={1} points or more.\n"
-      "; It acts with MD32700[0,{0}1]=1 afterwards.\nCHANDATA(1)\n",
-      axis, table.values.size());
+      "; It acts with MD32700[0,{0}1]=1 afterwards.\n{2}CHANDATA(1)\n",
+      axis, table.values.size(), what_is_left(table, error.deviations));
   for (std::size_t n = 0; n < table.values.size(); ++n) {
     text += fmt::format("$AA_ENC_COMP[0,{},{}1]={:.6f}\n", n, axis, table.values[n] + 0.0);
   }
@@ -26,15 +38,17 @@ std::string along_axis(const EvenTable& table, char axis) {
 }
 
 /// The first sag and angularity table.
-std::string across_axis(const EvenTable& table, char moving, char compensated) {
+std::string across_axis(const EvenTable& table, const MachineError& error) {
+  const char compensated = error.name[1];
+  const char moving = error.name[2];
   std::string text = fmt::format(
       "%_N_NC_CEC_INI\n"
       "; Compensation of {1}1 by the place of {0}1, mm: positive values move {1}1 in the negative "
       "direction.\n"
       "; Load it with MD32710[{1}1]=0; MD18342[0]={2} points or more.\n"
       "; It acts with SD41300 $SN_CEC_TABLE_ENABLE[0]=1 and MD32710[{1}1]=1 afterwards.\n"
-      "CHANDATA(1)\n",
-      moving, compensated, table.values.size());
+      "{3}CHANDATA(1)\n",
+      moving, compensated, table.values.size(), what_is_left(table, error.deviations));
   for (std::size_t n = 0; n < table.values.size(); ++n) {
     text += fmt::format("$AN_CEC[0,{}]={:.6f}\n", n, table.values[n] + 0.0);
   }
@@ -49,11 +63,9 @@ std::string across_axis(const EvenTable& table, char moving, char compensated) {
 }  // namespace
 
 std::string sinumerik_compensation(const MachineError& error) {
-  const EvenTable table = even_table(error.deviations);
-  const char compensated = error.name[1];
-  const char moving = error.name[2];
-  return moving == compensated ? along_axis(table, moving)
-                               : across_axis(table, moving, compensated);
+  const bool is_along = error.name[1] == error.name[2];
+  const EvenTable table = even_table(error.deviations, is_along ? kMostAlong : kMostAcross);
+  return is_along ? along_axis(table, error) : across_axis(table, error);
 }
 
 }  // namespace g31::evaluate
