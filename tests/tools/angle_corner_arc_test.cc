@@ -536,6 +536,8 @@ TEST(TriangleInSpace, IsCorrectedWithinAllFramesInForce) {
       {"", "$P_CYCFRAME=CROT(X,30)", 1},
       {"$P_CHBFR[1]=CROT(Z,90)", "TRANS X5 Z7\nAROT Y15", 1000},
       {"$P_CHBFR[1]=CROT(Z,90)", "", 1011},
+      {"$P_CHBFRMASK=2", "$P_WPFRAME=CROT(X,30)", 1000},
+      {"$P_CHBFR[0]=CROT(Y,25)\n$P_CHBFRMASK=5", "$P_WPFRAME=CROT(X,30)", 1000},
       {"$P_CHBFR[0]=CROT(Y,25)", "$P_WPFRAME=CROT(X,30)", 1012},
       {"$P_CHBFR[1]=CROT(Z,90)", "$P_WPFRAME=CROT(X,30)", 2000},
       {"$P_CHBFR[1]=CROT(Z,90)\n$P_CHBFRMASK=1", "", 1011},

@@ -182,6 +182,22 @@ TEST(WorkOffsetCorrection, FramesThatTurnWithinAnOffsetCountWhereTheyAreInForce)
       ring_aside());
 }
 
+TEST(WorkOffsetCorrection, WithoutASettableOneTheLastBasicFrameInForceIsCorrected) {
+  const std::string measure = "G500 X100 Y50\nZ-305\nCYCLE977(101,19000,,1,40,,,2,5)";
+  expect_rows({{"as the mask has it",
+                "$P_CHBFRMASK=2\n" + measure,
+                {{"$P_CHBFR[1,X,TR]", 0.2}, {"$P_CHBFR[1,Y,TR]", -0.3}, {"$P_CHBFR[0,X,TR]", 0.0}}},
+               {"of two of five", "$P_CHBFRMASK=5\n" + measure, {{"$P_CHBFR[2,X,TR]", 0.2}}},
+               {"nothing says which", measure, {{"$P_CHBFR[0,X,TR]", 0.2}}}},
+              ring_aside());
+  const std::string three = "[machine_data]\n\"$MC_MM_NUM_BASE_FRAMES\" = 3\n";
+  expect_measured(measure, {ring_aside(), kCalibrated, three},
+                  {{"$P_CHBFR[2,X,TR]", 0.2}, {"$P_CHBFR[0,X,TR]", 0.0}});
+  const MeasuringRun run =
+      run_measuring("$P_CHBFRMASK=0\n" + measure, {ring_aside(), kCalibrated}, {});
+  EXPECT_EQ(run.alarm(), 61321);
+}
+
 TEST(WorkOffsetCorrection, OfTheBasicFramesThatMachineDataGive) {
   const std::string one =
       "[machine_data]\n\"$MC_MM_NUM_BASE_FRAMES\" = 1\n"
