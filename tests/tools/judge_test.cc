@@ -68,6 +68,59 @@ TEST(Judge, ComparesWithTheDesign) {
 
 const char* const kMeasure = R"({"id": "F1.X", "nominal": 40.0})";
 
+/// The page of a judgement and what the command came to.
+struct JudgedPage {
+  int exit_code = 0;
+  std::string html;
+};
+
+JudgedPage page_of(const std::string& printed, page::Language language) {
+  const TemporaryFolder folder;
+  cli::JudgeOptions options;
+  options.plan = folder.write("plan.json", plan_of(kPocket));
+  options.results = folder.write("results.txt", printed);
+  options.report = folder.path("page.html");
+  options.language = language;
+  return {judged_by(options).exit_code, testing::text_of(options.report)};
+}
+
+int times(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Judge, ShowsItsJudgementAsAPage) {
+  const JudgedPage shown =
+      page_of("F1-X 40.012\nF1-Y 24.94\nF1-Y 24.94\n", page::Language::English);
+  EXPECT_EQ(shown.exit_code, 1);
+  for (const char* const part :
+       {"Out of tolerance", "F1.Y, F1.X.place are not good.",
+        "1 of 3 measures are good, 1 bad, 1 missing.",
+        "F1.Y is −60.0 µm off, allowed is −50.0 µm to +50.0 µm", "F1.X.place has no value",
+        "results.txt:2: F1.Y comes once more in line 3, which counts", ">40.012</td>", "+12.0 µm",
+        "120 %", "g31 judge ", "id=\"results\"", "\"verdict\": \"bad\""}) {
+    EXPECT_GE(times(shown.html, part), 1) << part;
+  }
+  EXPECT_EQ(times(shown.html, "Touches of its call"), 0) << "nobody knows its touches";
+  EXPECT_EQ(times(shown.html, "<tr><th scope=\"row\" class=\"name\">"), 3);
+}
+
+TEST(Judge, APageSaysWhetherAllIsGoodOrOnlyLacking) {
+  const char* const kAll = "F1-X 40.012\nF1-Y 25.01\nF1-X-PLACE -3.01\n";
+  const JudgedPage good = page_of(kAll, page::Language::English);
+  EXPECT_EQ(good.exit_code, 0);
+  EXPECT_EQ(times(good.html, "All measures are good."), 1);
+  EXPECT_EQ(times(good.html, "No findings"), 1);
+  const JudgedPage lacking = page_of("F1-X 40.012\nF1-Y 25.01\n", page::Language::English);
+  EXPECT_EQ(lacking.exit_code, 1);
+  EXPECT_GE(times(lacking.html, "Incomplete"), 1);
+  EXPECT_EQ(times(lacking.html, "Out of tolerance"), 0);
+  EXPECT_EQ(times(page_of(kAll, page::Language::Japanese).html, "すべての測定項目が合格です。"), 1);
+}
+
 TEST(Judge, TakesTheDocumentOfARunForWhatItsProgramPrinted) {
   const JudgeOutput printed = judge(
       R"({"schema": "g31.run/1", "output": "%\nF1-X 40.5\n%\n", "files": {"LOG": "F1-X 41.0"}})",

@@ -233,7 +233,8 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   Options options;
   options.run.version = options.view.run.version = version;
   options.study.version = version;
-  options.evaluate.version = options.plan.version = options.check.version = version;
+  options.evaluate.version = options.plan.version = version;
+  options.judge.version = options.check.version = version;
   add_version(app, options);
   const std::vector<Command> commands = add_commands(app, options, version);
   app.footer(exit_code_help(""));

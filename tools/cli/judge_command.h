@@ -4,6 +4,7 @@
 
 #include "interpreter/runtime/interruption.h"
 #include "tools/cli/exit_code.h"
+#include "tools/page/language.h"
 
 namespace g31::cli {
 
@@ -13,6 +14,9 @@ struct JudgeOptions {
   std::string results;   ///< a file, "-" or a serial line
   double wait_s = 60.0;  ///< of silence on a line, until what has not come is missing
   std::string json;      ///< where the document goes; "": nowhere
+  std::string report;    ///< the page; "": none
+  page::Language language = page::Language::English;
+  std::string version;  ///< of g31
   const runtime::Interruption* interruption = nullptr;
 };
 

@@ -4,6 +4,7 @@
 
 #include "tools/cli/limit_options.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/report_options.h"
 
 namespace g31::cli {
 
@@ -28,6 +29,9 @@ CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
   command->add_option("--json", options.json, "the judgement as a document; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
+  add_report_options(*command, options.report, options.language);
+  command->get_option("--report")
+      ->description("one HTML file with the values beside their limits; needs no network");
   constexpr double kShortestWaitS = 0.1;
   constexpr double kLongestWaitS = 86'400.0;
   command
@@ -44,7 +48,7 @@ std::string judge_examples() {
          "Examples:\n"
          "  g31 run inspect.nc -s setup.toml --printer results.txt\n"
          "  g31 judge plan.json results.txt\n"
-         "  g31 judge plan.json results.txt --json judgement.json\n"
+         "  g31 judge plan.json results.txt --json judgement.json --report judgement.html\n"
          "  g31 run INSPECT.MPF -s setup.toml --json run.json; g31 judge plan.json run.json\n"
          "  g31 judge plan.json /dev/ttyS0,4800,e,7,2 --wait 300\n\n";
 }

@@ -5,6 +5,7 @@
 
 #include "tools/evaluate/evaluation.h"
 #include "tools/page/report.h"
+#include "tools/plan/judgement.h"
 #include "tools/plan/planned_part.h"
 #include "tools/study/record.h"
 
@@ -28,6 +29,17 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
 /// known and what was published.  The first kMostCharts of them are drawn; the table has all.
 /// @param document  of the study
 Report report_of(const study::Record& record, const std::string& document,
+                 const PageOrigin& origin);
+
+/// Which files a judgement is of, without their folders.
+struct JudgedFiles {
+  std::string plan;
+  std::string results;
+};
+
+/// What was printed beside what the plan wants: each measure that is not good is a finding, and so
+/// is each line that has to be spoken of.
+Report report_of(const plan::Judgement& judgement, const JudgedFiles& files,
                  const PageOrigin& origin);
 
 /// Makes the page of a plan from that of the run that proved it.

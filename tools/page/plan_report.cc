@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
+#include "tools/page/judged_measures.h"
 #include "tools/page/other_reports.h"
 #include "tools/page/said.h"
 #include "tools/plan/plan_document.h"
@@ -158,34 +159,10 @@ void add_as_machined(const plan::PlannedPart& planned, Report& report) {
                                         fmt::arg("all", judged.measures.size()));
   report.results_of = text_of(Word::AsMachined, language);
   report.motion_of = text_of(Word::AsDrawn, language);
-  constexpr std::size_t kMostNamed = 3;
-  std::string names;
-  std::size_t out = 0;
-  for (std::size_t i = 0; i < judged.measures.size(); ++i) {
-    if (judged.measures[i].verdict == plan::Verdict::Good) {
-      continue;
-    }
-    const Characteristic& row = report.results[i];
-    const bool is_bad = judged.measures[i].verdict == plan::Verdict::Bad;
-    report.findings.push_back(
-        {source::Severity::Error,
-         "",
-         is_bad ? said(language, Word::SaysMachinedBad, fmt::arg("name", row.name),
-                       fmt::arg("deviation", difference_text(row, deviation_of(row))),
-                       fmt::arg("lower", difference_text(row, row.tolerance->lower)),
-                       fmt::arg("upper", difference_text(row, row.tolerance->upper)))
-                : said(language, Word::SaysMachinedMissing, fmt::arg("name", row.name)),
-         {}});
-    names += ++out > kMostNamed ? "" : (names.empty() ? "" : ", ") + row.name;
-  }
-  if (out == 0) {
-    return;
-  }
-  report.verdict.sign = Sign::Bad;
-  report.verdict.state = text_of(Word::StateOut, language);
-  report.verdict.headline =
-      said(language, out == 1 ? Word::SaysMachinedOut : Word::SaysMachinedSeveralOut,
-           fmt::arg("names", out > kMostNamed ? fmt::format("{} … ({})", names, out) : names));
+  add_not_good(judged,
+               {Word::SaysMachinedBad, Word::SaysMachinedMissing, Word::SaysMachinedOut,
+                Word::SaysMachinedSeveralOut},
+               report);
 }
 
 /// The document of the page is the plan; figures are of the run that proved it.

@@ -152,6 +152,11 @@ bool knows_true_sizes(const Report& report) {
                              [](const Characteristic& row) { return row.true_size.has_value(); });
 }
 
+/// Whether touches were made for them; those of a run were, whatever came of it.
+bool knows_touches(const Report& report) {
+  return report.has_motion || !report.touches.empty();
+}
+
 /// What the sign of a true size means.
 std::string true_size_key(const Report& report) {
   constexpr const char* kKey =
@@ -204,10 +209,13 @@ std::string row_of(const Report& report, const Characteristic& row) {
                                                         ? std::optional(*row.measured - *row.other)
                                                         : std::nullopt));
   }
-  html += cell(Word::Touches,
-               touches.empty() ? R"(<span class="mut">–</span>)"
-                               : fmt::format(R"(<div class="many" tabindex="0">{}</div>)", touches),
-               "touched");
+  if (knows_touches(report)) {
+    html +=
+        cell(Word::Touches,
+             touches.empty() ? R"(<span class="mut">–</span>)"
+                             : fmt::format(R"(<div class="many" tabindex="0">{}</div>)", touches),
+             "touched");
+  }
   return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
 }
 
@@ -249,7 +257,10 @@ std::string results_part(const Report& report) {
   if (compares(report)) {
     heads.insert(heads.end(), {{Word::OtherRun, "n"}, {Word::Difference, "n"}});
   }
-  heads.insert(heads.end(), {{Word::TouchesOfCall, ""}, {Word::VerdictHead, ""}});
+  if (knows_touches(report)) {
+    heads.emplace_back(Word::TouchesOfCall, "");
+  }
+  heads.emplace_back(Word::VerdictHead, "");
   for (const auto& [name, kind] : heads) {
     html += fmt::format(R"(<th scope="col" class="{}">{}</th>)", kind, say(name));
   }
