@@ -55,18 +55,22 @@ std::optional<Path> closed_about_corner(Path path, const SampleRange& range, dou
   constexpr double kGap = 0.006;   // in half sides: where a range ends is known no better
   constexpr double kDetour = 1.5;  // a quarter of a circle is 1.11 times its chord
   const double gap = kGap * half_side;
+  const std::size_t fewest = range.begin + 2 * kFurther;
+  if (path.size() < fewest) {
+    return std::nullopt;
+  }
   const Eigen::Vector2d first = path.front();
   const auto to_first = [&] { return Eigen::Vector2d(first - path.back()); };
   // A sample at the place of the first one or beyond it has been there already.
-  while (path.size() > range.begin + 2 * kFurther && to_first().norm() <= gap &&
+  while (path.size() > fewest && to_first().norm() <= gap &&
          to_first().dot(path.back() - path[path.size() - 2]) <= 0.0) {
     path.pop_back();
   }
   if (first.minCoeff() < 0.5 * half_side || to_first().norm() > gap) {
     return std::nullopt;
   }
+  const std::size_t end = std::min(range.end, path.size()) - range.begin;
   std::ranges::rotate(path, path.begin() + static_cast<std::ptrdiff_t>(range.begin));
-  const std::size_t end = std::min(range.end - range.begin, path.size());
   const double way =
       length_of(std::span(path).subspan(end - 1)) + (path.front() - path.back()).norm();
   if (way > kDetour * (path.front() - path[end - 1]).norm() + gap) {

@@ -179,6 +179,7 @@ TEST_F(UnevenTargets, FanucPointsAreNearEnough) {
   const double left = left_by(entered_into_fanuc(text));
   EXPECT_LE(left, 0.5 * number_behind(text, "N3623 P1 R") + 1e-6);
   EXPECT_NEAR(left, number_behind(text, "MM APART LEAVE "), 0.05 + 1e-6);
+  EXPECT_THAT(text, HasSubstr("(NEARER THAN THOSE: 3624 IS"));
 }
 
 // So many points as bring 121 targets near enough a Fanuc has not; it says what is left.

@@ -355,6 +355,33 @@ TEST(SquarePath, ACutCornerMayBeBegunOn) {
   }
 }
 
+/// Few samples a side are evaluated where they tell a square, from its corner on or beside it.
+TEST(SquarePath, AFewSamplesAreEnoughOrRefused) {
+  int evaluated_ones = 0;
+  for (int per_side = 1; per_side <= 12; ++per_side) {
+    for (const double place : {0.0, 0.3}) {
+      Record record;
+      for (int i = 0; i <= 4 * per_side; ++i) {
+        const double s = std::fmod(place + i, 4.0 * per_side) / per_side;
+        const double along = 100.0 * (s - std::floor(s)) - 50.0;
+        const Eigen::Vector2d p = s < 1.0   ? Eigen::Vector2d(-along, 50.0)
+                                  : s < 2.0 ? Eigen::Vector2d(-50.0, -along)
+                                  : s < 3.0 ? Eigen::Vector2d(along, -50.0)
+                                            : Eigen::Vector2d(50.0, along);
+        record.t.push_back(i);
+        record.x.push_back(p.x());
+        record.y.push_back(p.y());
+      }
+      const auto made = metrology::evaluate_square(record.samples(), {100.0, {{0.0, 0.0}}});
+      if (made.ok() && place == 0.0) {
+        ++evaluated_ones;
+        EXPECT_NEAR(made.value().corner_error[0].value(), 0.0, 1e-9) << per_side;
+      }
+    }
+  }
+  EXPECT_GT(evaluated_ones, 0);
+}
+
 TEST(SquarePath, RefusesWhatIsNoSquare) {
   Record record;
   for (int i = 0; i < 1000; ++i) {

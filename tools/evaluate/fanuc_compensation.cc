@@ -159,6 +159,9 @@ std::optional<PitchErrors> pitch_errors_of(const Curve& curve) {
 std::string what_is_left(const PitchErrors& errors, const Curve& curve) {
   std::string text = fmt::format("(POINTS {} MM APART LEAVE {:.1f} UM AT THE PLACES MEASURED)\n",
                                  errors.table.step, kUmPerMm * errors.left);
+  if (errors.table.step < interval_of(curve)) {
+    text += "(NEARER THAN THOSE: 3624 IS RAPID TRAVERSE IN MM/MIN / 7500 AT LEAST)\n";
+  }
   const double everywhere = std::round(error_table(curve).at(0.0) / errors.unit());
   if (everywhere != 0.0) {
     text += fmt::format("(AND {} UM EVERYWHERE: AT COORDINATE 0 THEY CORRECT NOTHING)\n",

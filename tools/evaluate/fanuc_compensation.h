@@ -16,8 +16,10 @@ std::optional<std::string> why_no_fanuc_compensation(const MachineError& error);
 /// A pitch error is what the correction gains from one multiple of the interval to the next, at the
 /// number of that section, 3620 being the one before machine coordinate 0.
 /// The correction of a straightness point is whole where its section ends towards positive places.
+/// Of places that are not evenly apart, points of pitch errors lie nearer than those, so that the
+/// lines between them meet the error there; what stays is said in the text.
 /// Source: parameter manual B-63980EN/01 pages 99 and 100 (pitch errors); what straightness and G10
-/// L52 read is from general knowledge of the 30i.
+/// L52 read, and the least interval, are from general knowledge of the 30i.
 std::string fanuc_compensation(const MachineError& error);
 
 }  // namespace g31::evaluate
