@@ -62,6 +62,7 @@ COMMANDS = (
     # Writes its document into a folder.
     ("plan", str(ROOT / "parts/library/inspection/product.step"), "--stock", "box", "-o", "inspection", "--as-machined",
      str(ROOT / "parts/library/inspection/product.step")),
+    ("new", "beginning", "--json", "-"),
     ("--version", "--json"),
     ("run", "p.nc", "-s", "c.toml", "--json", "-"),
     ("scene", "p.nc", "-s", "s.toml", "-o", "scene.svg", "--json", "-"),
@@ -72,6 +73,8 @@ COMMANDS = (
     # Refused, each by itself.
     ("setup", "wrong.toml", "--json", "-"),
     ("setup", "none.toml", "--json", "-"),
+    ("new", "p.nc", "--json", "-"),
+    ("new", "other", "--control", "none", "--json", "-"),
     ("study", "none.toml", "--json", "-"),
     ("study", "wrong.toml", "--json", "-"),
     ("study", "--json", "-"),

@@ -123,7 +123,7 @@ std::vector<Command> commands() {
       {"g31.plan/1", plan, {"--json"}, with(named, {"product.step", "stock.step", "made.step"})},
       {"g31.judgement/1",
        {"judge", "@plan.json", "@results.txt"},
-       {"--json"},
+       {"--json", "--report"},
        {"plan.json", "results.txt"}},
   };
 }

@@ -116,7 +116,7 @@ std::vector<Command> add_commands(CLI::App& app, Options& options, const std::st
       [&options] { return check_command(options.check); });
   add(kIsShort, "g31.setup/1", add_setup_command(app, options.setup), setup_examples(),
       [&options] { return setup_command(options.setup); });
-  add(kIsShort, {}, add_new_command(app, options.starter), new_examples(),
+  add(kIsShort, "g31.new/1", add_new_command(app, options.starter), new_examples(),
       [&options] { return new_command(options.starter); });
   add(kLasts, "g31.evaluation/1", add_evaluate_command(app, options.evaluate), evaluate_examples(),
       [&options] { return evaluate_command(options.evaluate); });

@@ -8,8 +8,11 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/shown_command.h"
 #include "tools/cli/starter_files.h"
 #include "tools/cli/write_out.h"
@@ -19,6 +22,8 @@ namespace g31::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kNewSchema = "g31.new/1";
 
 /// Why the folder cannot be begun; nullopt: nothing is in the way.
 std::optional<session::Refusal> in_the_way(const fs::path& folder,
@@ -93,26 +98,45 @@ class Beginning {
   std::vector<fs::path> made_;  ///< what lies in a folder behind it
 };
 
+/// The document g31.new/1.
+std::string document_of(const session::Control& control, const std::vector<std::string>& files,
+                        const std::string& command) {
+  const nlohmann::ordered_json document = {{"schema", kNewSchema},
+                                           {"control", session::name_of(control)},
+                                           {"files", files},
+                                           {"command", command}};
+  constexpr int kIndent = 2;
+  return document.dump(kIndent) + "\n";
+}
+
 }  // namespace
 
 ExitCode new_command(const NewOptions& options) {
+  const auto refused = [&options](const session::Refusal& wrong) {
+    return refuse(wrong, options.json, kNewSchema);
+  };
   const auto control = options.control.empty() ? session::default_control()
                                                : session::control_named(options.control);
   if (!control) {
-    return refuse(session::bad_setup(control.error()));
+    return refused(session::bad_setup(control.error()));
   }
   const fs::path folder(options.folder);
   const std::vector<StarterFile> files = starter_files(control.value());
-  if (const auto wrong = in_the_way(folder, files)) {
+  std::vector<std::string> made;
+  for (const StarterFile& file : files) {
+    made.push_back((folder / file.path).string());
+  }
+  if (const auto wrong = wrong_outputs({{"--json", options.json, true}}, {made})) {
     return refuse(*wrong);
   }
-  std::string text;
+  if (const auto wrong = in_the_way(folder, files)) {
+    return refused(*wrong);
+  }
   Beginning beginning;
-  for (const StarterFile& file : files) {
-    if (const auto wrong = beginning.write(folder / file.path, file.text)) {
-      return refuse(*wrong);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (const auto wrong = beginning.write(made[i], files[i].text)) {
+      return refused(*wrong);
     }
-    text += (folder / file.path).string() + "\n";
   }
   beginning.keep();
   // A name that begins with - would be taken for an option.
@@ -120,7 +144,10 @@ ExitCode new_command(const NewOptions& options) {
   ShownCommand command("g31 run");
   command.add((shown / files.front().path).string());
   command.add("--setup", (shown / "setup.toml").string());
-  const auto wrong = write_out("-", text + "Now: " + command.line() + "\n");
+  const auto wrong = write_result(
+      options.json,
+      [&] { return fmt::format("{}\nNow: {}\n", fmt::join(made, "\n"), command.line()); },
+      [&] { return document_of(control.value(), made, command.line()); });
   return wrong ? refuse(*wrong) : ExitCode::Completed;
 }
 

@@ -10,6 +10,7 @@ namespace g31::cli {
 struct NewOptions {
   std::string folder = {};
   std::string control = {};  ///< "" for the default
+  std::string json = {};     ///< where the document goes; "": nowhere
 };
 
 /// Makes a folder with a program of a control that runs as it is, its set-up sheet, a file for CI

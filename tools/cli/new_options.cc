@@ -4,6 +4,7 @@
 
 #include "tools/cli/control_and_level_options.h"
 #include "tools/cli/limit_options.h"
+#include "tools/cli/output_places.h"
 
 namespace g31::cli {
 
@@ -17,6 +18,9 @@ CLI::App* add_new_command(CLI::App& app, NewOptions& options) {
   add_control_option(*command, options.control,
                      "what the program is written for (default fanuc-16i): haas, sinumerik-828d, "
                      "0i-MF and so on");
+  command->add_option("--json", options.json, "document g31.new/1; - is standard output")
+      ->type_name("FILE")
+      ->check(why_no_place);
   return command;
 }
 
