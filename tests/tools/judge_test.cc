@@ -74,10 +74,11 @@ struct JudgedPage {
   std::string html;
 };
 
-JudgedPage page_of(const std::string& printed, page::Language language) {
+JudgedPage page_of(const std::string& printed, page::Language language,
+                   const std::string& measures = kPocket) {
   const TemporaryFolder folder;
   cli::JudgeOptions options;
-  options.plan = folder.write("plan.json", plan_of(kPocket));
+  options.plan = folder.write("plan.json", plan_of(measures));
   options.results = folder.write("results.txt", printed);
   options.report = folder.path("page.html");
   options.language = language;
@@ -119,6 +120,14 @@ TEST(Judge, APageSaysWhetherAllIsGoodOrOnlyLacking) {
   EXPECT_GE(times(lacking.html, "Incomplete"), 1);
   EXPECT_EQ(times(lacking.html, "Out of tolerance"), 0);
   EXPECT_EQ(times(page_of(kAll, page::Language::Japanese).html, "すべての測定項目が合格です。"), 1);
+}
+
+// Where the nominal is not allowed itself, the middle of what is: 13 um below 40 is 7 of 10 um
+// above the middle of -30 to -10, 5 um below it 15 of 10.
+TEST(Judge, APageSaysHowMuchOfATolerancesZoneIsTaken) {
+  const char* const kBelow = R"({"id": "F1.X", "nominal": 40.0, "tolerance": [-0.03, -0.01]})";
+  EXPECT_EQ(times(page_of("F1-X 39.987\n", page::Language::English, kBelow).html, ">70 %<"), 1);
+  EXPECT_EQ(times(page_of("F1-X 39.995\n", page::Language::English, kBelow).html, ">150 %<"), 1);
 }
 
 TEST(Judge, TakesTheDocumentOfARunForWhatItsProgramPrinted) {

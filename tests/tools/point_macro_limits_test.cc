@@ -104,6 +104,7 @@ const Impossible kImpossible[] = {
     {"line and point: one row twice", "G131 A11.3", 3162, "POINTS TOO CLOSE"},
     {"line and point: the line a point in the plane", "G131 A16.3 S1", 3162, "POINTS TOO CLOSE"},
     {"line and point: row 4 of C is vacant", "G131 A12. C4.", 3160, "ROW EMPTY"},
+    {"touch: in inches", "G20\nG65 P9010 U8. R5. Z3. A1.", 3170, "METRIC INPUT ONLY"},
 };
 
 TEST(PointMacroLimits, WhatIsMissingOrImpossibleIsAnAlarm) {

@@ -95,9 +95,10 @@ Judged judged_limits(const MeasuredCharacteristic& row) {
           row.actual ? fmt::format("{}{}", *row.actual, unit) : std::string("no number"),
           row.verdict() == CharacteristicVerdict::Good,
           what.place,
-          row.actual ? ""
-                     : fmt::format("the run has written nothing to {}: see how it ended, or which "
-                                   "block is to write it",
+          row.actual ? "the part is out, or what measures it: --report shows which where the true "
+                       "size is known; where both are right, change nominal or tolerance"
+                     : fmt::format("the run has written no number to {}: see how it ended, or "
+                                   "which block is to write it",
                                    what.variable)};
 }
 

@@ -117,12 +117,15 @@ std::string share_text(const Characteristic& row) {
   if (!deviation || !row.tolerance) {
     return "–";
   }
-  const double limit = *deviation > 0.0 ? row.tolerance->upper : -row.tolerance->lower;
+  // From the nominal or, where that is out itself, from the middle of what is allowed.
+  const auto& [lower, upper] = *row.tolerance;
+  const double from = lower > 0.0 || upper < 0.0 ? 0.5 * (lower + upper) : 0.0;
+  const double limit = *deviation > from ? upper - from : from - lower;
   constexpr double kPercent = 100.0;
   if (limit <= 0.0) {
     return "–";
   }
-  const double share = std::abs(*deviation) / limit * kPercent;
+  const double share = std::abs(*deviation - from) / limit * kPercent;
   return number(share, is_out(row) ? decimals_apart(share, kPercent, 0) : 0) + " %";
 }
 
