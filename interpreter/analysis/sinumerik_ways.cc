@@ -262,7 +262,7 @@ std::optional<Repair> WayFinder::other_direction(const std::string& name,
 void WayFinder::repeat_part(StepIndex step) {
   const auto& site = program_.repeats[static_cast<std::size_t>(op(step).a.place)];
   if (site.first < 0) {
-    stop(AlarmId::SectionMissing, span(step), "");
+    stop(AlarmId::SectionMissing, span(step), site.missing);
     return;
   }
   if (wrong_.contains(step)) {
@@ -290,7 +290,8 @@ void WayFinder::repeat_text(StepIndex step) {
     };
     const auto part = find_part(program_, text(here.a), text(here.b), step);
     if (!part) {
-      stop(AlarmId::SectionMissing, span(step), "");
+      stop(AlarmId::SectionMissing, span(step),
+           fmt::format("{} to {}", text(here.a), text(here.b)));
       return;
     }
     repeat({part->first, part->first < step ? std::min(part->end, step) : part->end}, step);

@@ -184,7 +184,7 @@ TEST(SinumerikFlow, WhatIsWrongStandsInItsBlock) {
             "1 IF R1==1 alarm\n"
             "  fault 12640 'IF R1==1' invalid nesting with control structures: its end is missing\n"
             "2 REPEAT GONE P2 alarm\n"
-            "  target 14082 'REPEAT GONE P2' label, program section not found\n"
+            "  target 14082 'REPEAT GONE P2' label, program section not found: GONE\n"
             "3 NAME=3 alarm\n"
             "  fault 12550 'NAME' name not defined or option/function not available: NAME\n"
             "4 R1=(2 alarm\n"

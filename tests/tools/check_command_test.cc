@@ -58,7 +58,7 @@ TEST(Check, SaysAllThatIsWrongInAllProgramsAtOnce) {
           "PART.MPF:2:1: error: alarm 12550, name not defined or option/function not available: "
           "SUBX [NC005]",
           "PART.MPF:3:1: error: alarm 12080, syntax error in text: the end of the block [NC002]",
-          "PART.MPF:4:1: error: alarm 14082, label, program section not found [NC004]",
+          "PART.MPF:4:1: error: alarm 14082, label, program section not found: LAB [NC004]",
       }));
 }
 

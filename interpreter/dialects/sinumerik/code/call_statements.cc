@@ -43,16 +43,24 @@ void CallStatements::call(CallSite site, ShortSpan where) {
     cursor_.accept(Symbol::Assign);
     site.passes = operations_.convert(expressions_.expression(), Type::Int).value;
   }
+  if (const Token& behind = cursor_.peek(); !failed() && behind.kind != TokenKind::End) {
+    fail(AlarmId::SyntaxInText, behind.where,
+         text_of(behind.where) + " behind the call of " + text_of(where));
+  }
   if (failed()) {
     return;
   }
-  // The words before the call belong to the same block and come first.
-  words_.finish_block();
   site.first_argument = keep_arguments(list);
   site.argument_count = static_cast<std::uint32_t>(list.size());
   program_.calls.push_back(std::move(site));
-  code_.emit(OpCode::Call, {},
-             {Bank::Constants, static_cast<std::int32_t>(program_.calls.size()) - 1}, {}, where);
+  const Operand which = {Bank::Constants, static_cast<std::int32_t>(program_.calls.size()) - 1};
+  // The words before the call belong to the same block and come first; a slip of the pen in one of
+  // them is a call, too, of a program that there is not.
+  if (words_.has_words()) {
+    code_.emit(OpCode::FindCalled, {}, which, {}, where);
+  }
+  words_.finish_block();
+  code_.emit(OpCode::Call, {}, which, {}, where);
 }
 
 /// CALL text, CALL text BLOCK first TO last

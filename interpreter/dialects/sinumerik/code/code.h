@@ -131,8 +131,9 @@ struct Parameter {
 
 /// REPEAT label, REPEAT start end, REPEATB label.
 struct RepeatSite {
-  std::int32_t first = -1;  ///< steps; -1: label missing
-  std::int32_t end = -1;    ///< behind the last step of the part
+  std::int32_t first = -1;   ///< steps; -1: label missing
+  std::int32_t end = -1;     ///< behind the last step of the part
+  std::string missing = {};  ///< the label that there is not
 };
 
 struct CompiledProgram;

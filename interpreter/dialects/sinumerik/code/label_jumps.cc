@@ -17,13 +17,13 @@ void LabelJumps::take_back(std::size_t first_step) {
 RepeatSite LabelJumps::site_of(const Part& part, const CompiledProgram& program) {
   const auto first = find_label(program, part.first, part.step, Direction::Both);
   if (!first) {
-    return {};
+    return {.missing = part.first};
   }
   const auto last = part.one_block     ? first
                     : part.end.empty() ? std::nullopt
                                        : find_label(program, part.end, *first, Direction::Forward);
   if (!last) {
-    return part.end == kEndOfPart ? RepeatSite{*first, part.step} : RepeatSite{};
+    return part.end == kEndOfPart ? RepeatSite{*first, part.step} : RepeatSite{.missing = part.end};
   }
   const std::int32_t behind = program.ops[static_cast<std::size_t>(*last)].a.place;
   return {*first, *first < part.step ? std::min(behind, part.step) : behind};

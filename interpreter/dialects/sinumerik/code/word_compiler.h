@@ -38,6 +38,7 @@ class WordCompiler : private BlockPart {
   /// A word that needs no step of its own: the block knows it.
   void constant_word(Address address, double value, ShortSpan where);
 
+  [[nodiscard]] bool has_words() const { return nc_.has_words(); }
   /// The words of the block are all there: the step that executes them.
   void finish_block();
 

@@ -26,6 +26,7 @@ class Calls {
         programs_(programs),
         missed_(missed) {}
 
+  MaybeFailure find_called(const Op& op);
   MaybeFailure call(const Op& op);
   /// RET and the like: behind the call, or once more; RET(target) goes on at a label there.
   MaybeFailure return_from(const Op& op);

@@ -66,6 +66,15 @@ std::vector<BoundValue> Calls::bound(const CallSite& site) {
   return values;
 }
 
+MaybeFailure Calls::find_called(const Op& op) {
+  const CallSite& site = level().program->calls[static_cast<std::size_t>(op.a.place)];
+  if (site.name.empty() || find_unsimulated_cycle(site.name) != nullptr) {
+    return std::nullopt;
+  }
+  const auto program = programs_.called(site, site.name);
+  return program ? std::nullopt : MaybeFailure(program.error());
+}
+
 MaybeFailure Calls::call(const Op& op) {
   const CallSite& site = level().program->calls[static_cast<std::size_t>(op.a.place)];
   if (site.is_modal && site.name.empty()) {

@@ -112,6 +112,7 @@ class Runner {
   MaybeFailure take_group_code(const Op& op) { return words_.take_group_code(op); }
   MaybeFailure take_skip_action(const Op& op) { return words_.take_skip_action(op); }
   MaybeFailure take_synchronised_action(const Op& op) { return actions_.take(op); }
+  MaybeFailure find_called(const Op& op) { return calls_.find_called(op); }
   MaybeFailure call(const Op& op) { return calls_.call(op); }
   MaybeFailure return_from(const Op& op) { return calls_.return_from(op); }
   MaybeFailure end_text(const Op& /*op*/) { return calls_.end_text(); }

@@ -118,7 +118,7 @@ MaybeFailure Runner::repeat_part(const Op& op) {
   }
   const RepeatSite& site = now.program->repeats[static_cast<std::size_t>(op.a.place)];
   if (site.first < 0) {
-    return failure(AlarmId::SectionMissing);
+    return failure(AlarmId::SectionMissing, site.missing);
   }
   const double passes = operands_.number(op.b);
   if (MaybeFailure wrong = failure(wrong_passes(passes))) {
