@@ -33,12 +33,6 @@ name = "ball"
 shape = "sphere"
 on = "G54"
 diameter = 25.0
-[machine_data]
-"$SNS_MEA_WP_BALL_DIAM[0]" = 6.0
-"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]" = 3.0
-"$SNS_MEA_WP_TRIG_MINUS_DIR_AX1[0]" = -3.0
-"$SNS_MEA_WP_TRIG_PLUS_DIR_AX2[0]" = 3.0
-"$SNS_MEA_WP_TRIG_MINUS_DIR_AX2[0]" = -3.0
 )";
 
 /// A ball beside both axes, and rotary axis 1 or 2 out of the direction that is entered.
@@ -140,7 +134,7 @@ TEST(KinematicsSeries, AxesAreFoundWhereTheyAreHoweverTheOtherOneStood) {
           program += fmt::format("{}={}\n", names.back(), machine->expected[i].name);
         }
         const MeasuringRun run =
-            run_on_sheets(program + "G0 Z50\nM30\n", {kProbe, machine->sheet}, names);
+            run_on_sheets(program + "G0 Z50\nM30\n", {kProbe, kCalibrated, machine->sheet}, names);
         ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
         for (std::size_t i = 0; i < names.size(); ++i) {
           EXPECT_NEAR(run.at(names[i]), machine->expected[i].value, 1e-9)
