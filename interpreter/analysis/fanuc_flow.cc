@@ -204,8 +204,10 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
 void FanucTranslation::add_unsimulated(const Word& code) {
   const fanuc::GCode* const row = fanuc::find_g_code(code.number, profile_.own_g_codes);
   // Sheet and parameters make numbers call macros, which a check without them cannot know; builders
-  // take those from 100 on.  G66.1 makes arguments of all words.
-  const bool may_be_called = row == nullptr && code.number >= fanuc::kFirstCallingCode &&
+  // take those from 100 on.  A sheet that makes one a call says all of them.  G66.1 makes arguments
+  // of all words.
+  const bool may_be_called = row == nullptr && reading_.calling_codes.empty() &&
+                             code.number >= fanuc::kFirstCallingCode &&
                              code.number <= fanuc::kLastCallingCode;
   if (may_be_called || reading_.every_block_calls ||
       reading_.calling_codes.contains(fanuc::nearest_integer(code.number))) {

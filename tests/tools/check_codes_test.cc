@@ -59,8 +59,15 @@ TEST(Check, AGCodeThatTheControlHasNotIsAWarningWhereNothingIsCalledByIt) {
       << "G100 and above are called by sheets and parameters, which are not there";
   for (const char* const sheet : {"[macro_calls]\nG77 = 2\n", "[parameters]\n6050 = 77\n"}) {
     options.setups = {folder.write("sheet.toml", sheet)};
-    EXPECT_EQ(places(checked(options).out, folder), (std::vector<std::string>{g37, lost_p}))
-        << sheet;
+    EXPECT_EQ(
+        places(checked(options).out, folder),
+        (std::vector<std::string>{g37,
+                                  "case.nc:10:1: warning: alarm 10, G999, which this control has "
+                                  "not: a run ends here [NC007]",
+                                  "case.nc:11:1: warning: alarm 10, G100, which this control has "
+                                  "not: a run ends here [NC007]",
+                                  lost_p}))
+        << sheet << " says which codes are calls";
   }
 }
 
