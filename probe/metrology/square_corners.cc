@@ -49,24 +49,26 @@ double length_of(std::span<const Eigen::Vector2d> way) {
 /// A record that begins and ends about a corner, from its range once round to its range, some
 /// samples further at both ends: what it says of the corner does not depend on where it begins.
 /// nullopt: its ends do not meet there, or ways to the square and away from it lie between them.
-/// @param path  of the whole record
-std::optional<Path> closed_about_corner(Path path, const SampleRange& range, double half_side) {
+/// @param whole  of the record
+std::optional<Path> closed_about_corner(const Path& whole, const SampleRange& range,
+                                        double half_side) {
   constexpr std::size_t kFurther = 8;
   constexpr double kGap = 0.006;   // in half sides: where a range ends is known no better
   constexpr double kDetour = 1.5;  // a quarter of a circle is 1.11 times its chord
   const double gap = kGap * half_side;
   const std::size_t fewest = range.begin + 2 * kFurther;
-  if (path.size() < fewest) {
+  const Eigen::Vector2d first = whole.front();
+  if (whole.size() < fewest || first.minCoeff() < 0.5 * half_side) {
     return std::nullopt;
   }
-  const Eigen::Vector2d first = path.front();
+  Path path = whole;
   const auto to_first = [&] { return Eigen::Vector2d(first - path.back()); };
   // A sample at the place of the first one or beyond it has been there already.
   while (path.size() > fewest && to_first().norm() <= gap &&
          to_first().dot(path.back() - path[path.size() - 2]) <= 0.0) {
     path.pop_back();
   }
-  if (first.minCoeff() < 0.5 * half_side || to_first().norm() > gap) {
+  if (to_first().norm() > gap) {
     return std::nullopt;
   }
   const std::size_t end = std::min(range.end, path.size()) - range.begin;

@@ -234,19 +234,26 @@ TEST(CompensationLoop, FanucStraightness) {
   }
 }
 
-/// The table of two neighbouring places, between which the correction gains twice the deviation.
-testing::EvaluateOutput steep(const TemporaryFolder& folder, double place, double way,
-                              double deviation) {
+/// Writes a Fanuc's table of a record whose rows, behind their heads, are those of one cycle: each
+/// has a place for the cycle's number.
+testing::EvaluateOutput entered_table(const TemporaryFolder& folder, const std::string& rows) {
   cli::EvaluateOptions options;
   options.kind = "positioning";
   options.given[OptionId::Compensation] = folder.path("table.nc");
   options.given[OptionId::CompensationFormat] = "fanuc";
   std::string record = "axis,target,direction,cycle,position\n";
   for (int cycle = 1; cycle <= 2; ++cycle) {
-    record += fmt::format("X,{0},1,{1},{2:.3f}\nX,{3},1,{1},{4:.3f}\n", place, cycle,
-                          place - deviation, place + way, place + way + deviation);
+    record += fmt::format(fmt::runtime(rows), cycle);
   }
   return testing::evaluate_text(record, options);
+}
+
+/// Of two neighbouring places, between which the correction gains twice the deviation.
+testing::EvaluateOutput steep(const TemporaryFolder& folder, double place, double way,
+                              double deviation) {
+  return entered_table(folder,
+                       fmt::format("X,{0},1,{{0}},{1:.3f}\nX,{2},1,{{0}},{3:.3f}\n", place,
+                                   place - deviation, place + way, place + way + deviation));
 }
 
 // Corrections of 3.51 units of 100 um round to 4: two of them are a gain of 8, and there is no
@@ -275,15 +282,8 @@ TEST(CompensationLoop, AFanucRefusesWhatItsLargestMagnificationDoesNotReach) {
 // gains of -3 and 2 um.
 TEST(CompensationLoop, AFanucTakesALargeDeviationThatHardlyChanges) {
   const TemporaryFolder folder;
-  cli::EvaluateOptions options;
-  options.kind = "positioning";
-  options.given[OptionId::Compensation] = folder.path("table.nc");
-  options.given[OptionId::CompensationFormat] = "fanuc";
-  std::string record = "axis,target,direction,cycle,position\n";
-  for (int cycle = 1; cycle <= 2; ++cycle) {
-    record += fmt::format("X,0,1,{0},2.000\nX,100,1,{0},102.003\nX,200,1,{0},202.001\n", cycle);
-  }
-  const auto output = testing::evaluate_text(record, options);
+  const auto output =
+      entered_table(folder, "X,0,1,{0},2.000\nX,100,1,{0},102.003\nX,200,1,{0},202.001\n");
   EXPECT_EQ(output.exit_code, 0) << output.errors;
   EXPECT_NE(testing::text_of(folder.path("table.nc"))
                 .find("N3623 P1 R1\nN3624 P1 R100000\nN10002 R-3\nN10003 R2\n"),

@@ -21,6 +21,7 @@
 namespace g31::cli {
 namespace {
 
+constexpr const char* kJudgementSchema = "g31.judgement/1";
 constexpr InputLimit kLargestPlan{64'000'000, "a plan of g31 plan is far smaller"};
 
 void print_remarks(const std::string& from, const plan::Judgement& judgement) {
@@ -61,13 +62,13 @@ std::optional<session::Refusal> deliver_report(const JudgeOptions& options, cons
 
 ExitCode judge_command(const JudgeOptions& options) {
   const auto refused = [&options](const session::Refusal& wrong) {
-    return refuse(wrong, options.json, "g31.judgement/1");
+    return refuse(wrong, options.json, kJudgementSchema);
   };
   const std::vector<OutputPlace> outputs = {{"--json", options.json, true},
                                             {"--report", options.report}};
   const InputLists inputs = {{options.plan, options.results}};
   if (const auto wrong = wrong_outputs(outputs, inputs)) {
-    return refuse(*wrong, sound_place("--json", outputs, inputs), "g31.judgement/1");
+    return refuse(*wrong, sound_place("--json", outputs, inputs), kJudgementSchema);
   }
   if (const auto wrong = wrong_report(options.report)) {
     return refused(*wrong);

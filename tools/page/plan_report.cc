@@ -128,19 +128,15 @@ std::vector<std::size_t> numbers_of_touches(const Report& report) {
 /// @param touches  the numbers of those that came
 std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
                                             const std::vector<std::size_t>& touches) {
+  const plan::Judgement& judged = planned.as_machined ? *planned.as_machined : planned.on_product;
   std::vector<Characteristic> rows;
   for (std::size_t i = 0; i < planned.plan.measures.size(); ++i) {
     const probe::PlannedMeasure& measure = planned.plan.measures[i];
-    Characteristic row;
-    row.name = measure.id;
+    Characteristic row = characteristic_of(judged.measures[i]);
     row.variable = planned.program.measures[i].variable;
-    row.unit = expect::kResultUnits[0];
-    row.nominal = measure.nominal;
-    if (measure.tolerance) {
-      row.tolerance = expect::Limits{measure.tolerance->lower, measure.tolerance->upper};
+    if (!planned.as_machined) {
+      row.measured = planned.proven_values[i];
     }
-    row.measured =
-        planned.as_machined ? planned.as_machined->measures[i].actual : planned.proven_values[i];
     const auto& of_points = planned.program.touches_of_points;
     if (touches.size() == planned.program.touches) {
       row.touches = {touches[of_points[measure.first]], touches[of_points[measure.second]]};
