@@ -31,10 +31,8 @@ struct OffsetPlane {
 
   [[nodiscard]] PlanePoint of(const AxisPositions& q) const { return {q[first], q[second]}; }
   /// `q` with other coordinates in the plane.
-  [[nodiscard]] AxisPositions moved(AxisPositions q, const PlanePoint& p) const {
-    q[first] = p.x();
-    q[second] = p.y();
-    return q;
+  [[nodiscard]] AxisPositions moved(const AxisPositions& q, const PlanePoint& p) const {
+    return with_two(q, first, p.x(), second, p.y());
   }
 };
 

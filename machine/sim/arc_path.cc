@@ -70,16 +70,15 @@ AxisPositions ArcPath::at(double fraction) const {
 }
 
 AxisPositions ArcPath::slope_at(double fraction) const {
-  AxisPositions slope = displacement_;
   const double outwards = radius_to_ - radius_from_;
   const double radius = radius_from_ + fraction * outwards;
   // Both ends are asked of each arc.
   const Eigen::Vector2d direction = fraction == 0.0   ? direction_from_
                                     : fraction == 1.0 ? direction_to_
                                                       : turned(fraction * turned_rad_);
-  slope[first_axis_] = outwards * direction.x() - radius * turned_rad_ * direction.y();
-  slope[second_axis_] = outwards * direction.y() + radius * turned_rad_ * direction.x();
-  return slope;
+  const double around = radius * turned_rad_;
+  return with_two(displacement_, first_axis_, outwards * direction.x() - around * direction.y(),
+                  second_axis_, outwards * direction.y() + around * direction.x());
 }
 
 Eigen::Vector2d ArcPath::turned(double angle_rad) const {
@@ -92,10 +91,12 @@ Eigen::Vector2d ArcPath::turned(double angle_rad) const {
 AxisBox ArcPath::circle_bounds() const {
   AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
   const double reach = std::max(radius_from_, radius_to_);
-  box.q_M_min[first_axis_] = std::min(box.q_M_min[first_axis_], centre_first_ - reach);
-  box.q_M_max[first_axis_] = std::max(box.q_M_max[first_axis_], centre_first_ + reach);
-  box.q_M_min[second_axis_] = std::min(box.q_M_min[second_axis_], centre_second_ - reach);
-  box.q_M_max[second_axis_] = std::max(box.q_M_max[second_axis_], centre_second_ + reach);
+  box.q_M_min =
+      with_two(box.q_M_min, first_axis_, std::min(box.q_M_min[first_axis_], centre_first_ - reach),
+               second_axis_, std::min(box.q_M_min[second_axis_], centre_second_ - reach));
+  box.q_M_max =
+      with_two(box.q_M_max, first_axis_, std::max(box.q_M_max[first_axis_], centre_first_ + reach),
+               second_axis_, std::max(box.q_M_max[second_axis_], centre_second_ + reach));
   return box;
 }
 

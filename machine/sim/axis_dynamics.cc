@@ -144,8 +144,7 @@ PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min,
 
   double helix_speed = std::numeric_limits<double>::infinity();
   double helix_acceleration = helix_speed;
-  AxisPositions helix = path.displacement().cwiseAbs();
-  helix[first] = helix[second] = 0.0;
+  const AxisPositions helix = with_two(path.displacement().cwiseAbs(), first, 0.0, second, 0.0);
   if (!helix.isZero(0.0)) {
     helix_speed = path.length() / helix.cwiseQuotient(rapid_per_s_).maxCoeff();
     helix_acceleration = path.length() / helix.cwiseQuotient(most).maxCoeff();

@@ -23,6 +23,16 @@ AxisPositions resolutions(const MachineSetup& setup) {
   return steps;
 }
 
+/// The way from start to end of an arc without it.
+LinearMove straight(const ArcMove& arc) {
+  LinearMove move{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends};
+  move.contour_control = arc.contour_control;
+  move.tag = arc.tag;
+  move.transform = arc.transform;
+  move.smoothness = arc.smoothness;
+  return move;
+}
+
 }  // namespace
 
 void MachiningCentre::expect_legal(const LinearMove& move) {
@@ -124,17 +134,12 @@ Result<AxisPositions, MachineFault> MachiningCentre::move_led(const LedPath& pat
 
 Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   expect_legal(arc);
-  LinearMove straight{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends};
-  straight.contour_control = arc.contour_control;
-  straight.tag = arc.tag;
-  straight.transform = arc.transform;
-  straight.smoothness = arc.smoothness;
   if (const auto led = led_path(q_M_, arc)) {
-    return led->length() < kFullCircleGapMm ? move(straight) : move_led(*led, straight);
+    return led->length() < kFullCircleGapMm ? move(straight(arc)) : move_led(*led, straight(arc));
   }
   const ArcPath path(q_M_, arc);
   if (path.length() < kFullCircleGapMm) {
-    return move(straight);
+    return move(straight(arc));
   }
   if (const AxisBox circle = path.circle_bounds();
       !limits_.contain(circle.q_M_min) || !limits_.contain(circle.q_M_max)) {

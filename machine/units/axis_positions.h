@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 
 #include <Eigen/Core>
@@ -72,6 +74,49 @@ inline Point linear_axes(const AxisPositions& q) {
 /// The rotary axes A B C, deg.
 inline Eigen::Matrix<double, kRotaryAxisCount, 1> rotary_axes(const AxisPositions& q) {
   return q.tail<kRotaryAxisCount>();
+}
+
+namespace detail {
+
+/// Two axes at a time.
+using Pair = double __attribute__((vector_size(16)));
+using PairBits = std::int64_t __attribute__((vector_size(16)));
+static_assert(kAxisCount % 2 == 0);
+
+/// All bits of one axis, none of the others.
+inline constexpr auto kBitsOf = [] {
+  struct alignas(16) Rows {
+    std::int64_t of[kAxisCount][kAxisCount] = {};
+  } rows;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    rows.of[i][i] = -1;
+  }
+  return rows;
+}();
+
+}  // namespace detail
+
+/// `q` with another number for one axis.  All axes are written at once: what reads them together
+/// right behind would wait for one that is written by itself (15 cycles each time).
+inline AxisPositions with_one(AxisPositions q, int axis, double number) {
+  using detail::Pair;
+  using detail::PairBits;
+  const auto bits = reinterpret_cast<PairBits>(Pair{number, number});
+  for (std::size_t i = 0; i < kAxisCount; i += 2) {
+    PairBits old{};
+    PairBits mask{};
+    std::memcpy(&old, q.data() + i, sizeof old);
+    std::memcpy(&mask, &detail::kBitsOf.of[axis][i], sizeof mask);
+    const PairBits made = (bits & mask) | (old & ~mask);
+    std::memcpy(q.data() + i, &made, sizeof made);
+  }
+  return q;
+}
+
+/// The same for two different axes.
+inline AxisPositions with_two(const AxisPositions& q, int first, double at_first, int second,
+                              double at_second) {
+  return with_one(with_one(q, first, at_first), second, at_second);
 }
 
 /// The storage index of an axis letter, or -1.

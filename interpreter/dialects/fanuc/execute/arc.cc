@@ -19,6 +19,11 @@ Eigen::Vector2d in_plane(const AxisPositions& q, const Plane& plane) {
   return {q[plane.first], q[plane.second]};
 }
 
+AxisPositions moved_in_plane(const AxisPositions& q, const Plane& plane,
+                             const Eigen::Vector2d& to) {
+  return path::OffsetPlane{plane.first, plane.second}.moved(q, to);
+}
+
 /// An arc behind mirror, scaling and rotation.
 struct Arc {
   Plane plane;
@@ -80,10 +85,9 @@ Result<Eigen::Vector2d, Failure> centre_of(const Control& control, const NcBlock
   if (!centre) {
     return centre.error();
   }
-  AxisPositions q_L_centre = control.coordinates.programmed();
-  q_L_centre[arc.plane.first] = centre.value().x();
-  q_L_centre[arc.plane.second] = centre.value().y();
-  return in_plane(transform.apply(q_L_centre), arc.plane);
+  return in_plane(
+      transform.apply(moved_in_plane(control.coordinates.programmed(), arc.plane, centre.value())),
+      arc.plane);
 }
 
 MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
@@ -97,10 +101,12 @@ MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
 /// 1730 to 1732: so that the acceleration to the centre is the same on every arc.
 /// Source: A-63512EN, page 9.
 double feed_on_arc(const Control& control, double feed_mm_min, double radius) {
+  if (control.contour_control() != machine::ContourControl::FeedForward) {
+    return feed_mm_min;
+  }
   const double most = control.parameters.get(ParameterId::ArcFeed);
   const double of_radius = control.parameters.get(ParameterId::ArcFeedRadius);
-  if (control.contour_control() != machine::ContourControl::FeedForward || !(most > 0.0) ||
-      !(of_radius > 0.0)) {
+  if (!(most > 0.0) || !(of_radius > 0.0)) {
     return feed_mm_min;
   }
   const double least = control.parameters.get(ParameterId::LeastArcFeed);
@@ -109,10 +115,8 @@ double feed_on_arc(const Control& control, double feed_mm_min, double radius) {
 
 /// The arc in path coordinates.
 path::ArcShape shape_of(const Control& control, const Arc& arc, const Eigen::Vector2d& centre) {
-  AxisPositions q_W_centre = arc.q_W_start;
-  q_W_centre[arc.plane.first] = centre.x();
-  q_W_centre[arc.plane.second] = centre.y();
-  const AxisPositions q_B_centre = control.coordinates.work_to_path(q_W_centre);
+  const AxisPositions q_B_centre =
+      control.coordinates.work_to_path(moved_in_plane(arc.q_W_start, arc.plane, centre));
   return {{q_B_centre[arc.plane.first], q_B_centre[arc.plane.second]}, arc.turn};
 }
 
@@ -151,8 +155,7 @@ MaybeFailure move_unequally_scaled(Control& control, const Arc& arc, const Eigen
   }
   const Eigen::Vector2d on_arc = centre + to_end * (radius / stretched);
   Arc round = arc;
-  round.q_W_end[arc.plane.first] = on_arc.x();
-  round.q_W_end[arc.plane.second] = on_arc.y();
+  round.q_W_end = moved_in_plane(arc.q_W_end, arc.plane, on_arc);
   if (auto failure = move_along(control, round, centre, feed_mm_min)) {
     return failure;
   }
@@ -198,8 +201,7 @@ MaybeFailure move_in_turns(Control& control, const Arc& arc, const Eigen::Vector
   for (int turn = 1; turn <= turns; ++turn) {
     const bool is_last = turn == turns && rest == 0.0;
     piece.q_W_end = is_last ? arc.q_W_end : AxisPositions(arc.q_W_start + turn / all * way);
-    piece.q_W_end[arc.plane.first] = arc.q_W_start[arc.plane.first];
-    piece.q_W_end[arc.plane.second] = arc.q_W_start[arc.plane.second];
+    piece.q_W_end = moved_in_plane(piece.q_W_end, arc.plane, in_plane(arc.q_W_start, arc.plane));
     if (auto failure = move_along(control, piece, centre, feed_mm_min)) {
       return failure;
     }

@@ -38,9 +38,9 @@ AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
   AxisPositions q_L_end = control.coordinates.programmed();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      double& end = q_L_end[static_cast<Eigen::Index>(axis)];
+      const int index = static_cast<int>(axis);
       const double value = axis_value(control, *word, axis);
-      end = adds ? end + value : value;
+      q_L_end = with_one(q_L_end, index, adds ? q_L_end[index] + value : value);
     }
   }
   return q_L_end;
