@@ -268,10 +268,6 @@ WrongWord JudgedBlock::action() const {
              : std::nullopt;
 }
 
-bool is_g(const Word& word, double code) {
-  return word.letter == 'G' && word.form != syntax::ValueForm::Computed && word.number == code;
-}
-
 Words words_of(const fanuc::CompiledProgram& program, const syntax::Block& block) {
   return Words(program.tree->words).subspan(block.first_word, block.word_count);
 }

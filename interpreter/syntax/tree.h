@@ -112,6 +112,7 @@ struct Block {
   std::uint8_t skip_switch = 0;  ///< 0: none; n for /n
   bool is_bare = false;        ///< IfThen without THEN, or without IF, too; Assign without a value
   bool goes_on = false;        ///< Nc: what the next one holds stands behind its words
+  bool is_plain = false;       ///< Nc: its words are letters and written numbers, without `/`
   std::int32_t sequence = -1;  ///< N number, -1: none
   std::int32_t number = 0;
   Index first_word = 0;

@@ -40,16 +40,22 @@ class Compiler {
     out_.steps.reserve(program_.block_count);
     out_.first_word =
         end > program_.first_block ? tree_.blocks[program_.first_block].first_word : 0;
+    bool has_statements = false;
     for (Index i = program_.first_block; i < end; ++i) {
+      const BlockKind kind = tree_.blocks[i].kind;
+      has_statements |= kind != BlockKind::Nc && kind != BlockKind::Empty;
       step(i);
     }
-    link_then();
-    link_loops();
-    if (out_.extent == Extent::Whole) {
-      if (!std::ranges::is_sorted(out_.labels, {}, &Label::sequence)) {
-        std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+    const bool is_whole = out_.extent == Extent::Whole;
+    if (is_whole && !std::ranges::is_sorted(out_.labels, {}, &Label::sequence)) {
+      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+    }
+    if (has_statements) {
+      link_then();
+      link_loops();
+      if (is_whole) {
+        link_jumps();
       }
-      link_jumps();
     }
     return std::move(out_);
   }
@@ -99,7 +105,9 @@ void Compiler::step(Index block_index) {
     case BlockKind::SetNames:
       break;
     case BlockKind::Nc:
-      nc_words(block, step);
+      if (!block.is_plain) {
+        nc_words(block, step);
+      }
       if (!profile_.conditions_rule_blocks && (block.goes_on || is_conditional(block_index))) {
         refuse_statement_beside(block_index, step);
       }

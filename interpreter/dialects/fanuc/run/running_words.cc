@@ -25,9 +25,34 @@ MaybeFailure RunningWords::read(const Step& step) {
   const syntax::Block& block = program.tree->blocks[step.block];
   words_.clear();
   readings_.clear();
+  const std::span all = std::span(program.tree->words).subspan(block.first_word, block.word_count);
+  if (auto failure = block.is_plain ? read_plain(all) : read_all(program, all)) {
+    return failure;
+  }
+  if (block.sequence >= 0) {
+    control_.modal.word('N') = block.sequence;
+    words_.set_sequence(block.sequence);
+  }
+  return std::nullopt;
+}
+
+/// Of a block in which nothing is to be worked out.
+MaybeFailure RunningWords::read_plain(std::span<const syntax::Word> words) {
+  const int most = control_.profile.word_digit_limit;
+  for (const syntax::Word& word : words) {
+    if (!fits_address(word.number, word.digits, most)) [[unlikely]] {
+      return at_word(wrong_word(word.letter, word.number, word.digits, most), word);
+    }
+  }
+  words_.show(words);
+  return std::nullopt;
+}
+
+MaybeFailure RunningWords::read_all(const CompiledProgram& program,
+                                    std::span<const syntax::Word> words) {
   runtime::MissedTouches& missed = control_.touches.missed;
-  for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
-    const syntax::Word& word = program.tree->words[i];
+  const int most = control_.profile.word_digit_limit;
+  for (const syntax::Word& word : words) {
     if (word.letter == '/') {
       if (skips_rest(word)) {
         break;
@@ -38,8 +63,9 @@ MaybeFailure RunningWords::read(const Step& step) {
     const bool is_computed = word.form == ValueForm::Computed;
     if (is_computed) {
       const double increment = 1.0 / control_.scale.length_counts();
-      const Cell value =
-          control_.evaluator.value(program, program.word_code[i - program.first_word], increment);
+      const auto place = static_cast<std::size_t>(&word - program.tree->words.data());
+      const Cell value = control_.evaluator.value(
+          program, program.word_code[place - program.first_word], increment);
       if (control_.evaluator.failed()) {
         return evaluation_failure(control_.evaluator);
       }
@@ -52,19 +78,13 @@ MaybeFailure RunningWords::read(const Step& step) {
       }
     }
     const std::uint8_t digits = is_computed ? std::uint8_t{0} : word.digits;
-    const int most = control_.profile.word_digit_limit;
     if (!fits_address(number, digits, most)) [[unlikely]] {
-      WrongValue wrong = wrong_word(word.letter, number, digits, most);
-      return at_place(wrong.id, word.span, std::move(wrong.detail));
+      return at_word(wrong_word(word.letter, number, digits, most), word);
     }
     words_.add(word, number);
   }
   for (const auto& [begin, reading] : readings_) {
     missed.reads(reading);
-  }
-  if (block.sequence >= 0) {
-    control_.modal.word('N') = block.sequence;
-    words_.set_sequence(block.sequence);
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,8 @@ class RunningWords {
   [[nodiscard]] const Readings& readings() const { return readings_; }
 
  private:
+  MaybeFailure read_plain(std::span<const syntax::Word> words);
+  MaybeFailure read_all(const CompiledProgram& program, std::span<const syntax::Word> words);
   bool skips_rest(const syntax::Word& word);
   [[nodiscard]] const Frame& frame() const { return stack_.frame(); }
 

@@ -5,6 +5,8 @@ namespace {
 
 using syntax::ValueForm;
 
+constexpr double kFirstCall = 65.0;  // of the G codes that call whatever the parameters say
+
 // Of a Haas.
 constexpr int kJumpByInput = 96;
 constexpr int kLocalCall = 97;
@@ -19,8 +21,10 @@ Result<bool, Failure> WordCalls::call_in_block() {
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
   const std::uint32_t letters = every_block ? letters_of("G") : control_.code_calls.letters;
+  const bool codes_call = every_block || !control_.code_calls.macro_by_g.empty();
   for (const EvaluatedWord& word : words_.all()) {
-    if ((letters >> (word.letter - 'A') & 1U) == 0) {
+    if ((letters >> (word.letter - 'A') & 1U) == 0 ||
+        (word.letter == 'G' && word.number < kFirstCall && !codes_call)) {
       continue;
     }
     auto called = word.letter == 'G'   ? call_by_g(word, every_block)

@@ -281,9 +281,13 @@ void Parser::expect_end(Block& block) {
 
 void Parser::words(Block& block) {
   block.kind = BlockKind::Nc;
-  do {
-    scanner_.plain_words(tree_.words);
-  } while (word());
+  scanner_.plain_words(tree_.words);
+  block.is_plain = !word();
+  if (!block.is_plain) {
+    do {
+      scanner_.plain_words(tree_.words);
+    } while (word());
+  }
   if (goes_on_) [[unlikely]] {
     statement_behind_words(block);
   }

@@ -19,13 +19,28 @@ constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }
 
+/// What a plain word and its end need behind the place where it begins: a letter, a sign, digits, a
+/// point, digits, a blank, a line end and another character.
+constexpr std::size_t kWordRoom = 2 + 2 * syntax::kFewDigits + 5;
+
+/// Whether a character, behind a word or the blank that follows it, belongs to something else.
+constexpr auto kEndsWord = [] {
+  std::array<bool, 256> ends{};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    ends[i] = is_letter(kShown[i]) || kShown[i] == '\n';
+  }
+  return ends;
+}();
+
 /// Steps over a blank, and over the CR of a line end.  @returns whether nothing that would belong
 /// to a number follows: a digit or a point behind a blank would
-bool ends_plainly(std::string_view text, std::size_t& at) {
-  at += at < text.size() && text[at] == ' ' ? 1U : 0U;
-  at += at + 1 < text.size() && text[at] == '\r' && text[at + 1] == '\n' ? 1U : 0U;
-  const char next = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
-  return is_letter(next) || next == '\n';
+bool ends_plainly(const char* text, std::size_t& at) {
+  at += text[at] == ' ' ? 1U : 0U;
+  if (kEndsWord[static_cast<unsigned char>(text[at])]) [[likely]] {
+    return true;
+  }
+  at += text[at] == '\r' ? 1U : 0U;
+  return text[at] == '\n';
 }
 
 /// @param written  digits, perhaps a point and, between them, what counts for nothing
@@ -193,45 +208,44 @@ std::optional<ScannedNumber> Scanner::number() {
 
 std::int32_t Scanner::plain_integer() {
   constexpr std::size_t kMostDigits = 8;
-  std::size_t at = at_;
-  std::int32_t number = 0;
-  for (; at < text_.size() && is_digit(text_[at]) && at - at_ < kMostDigits; ++at) {
-    number = number * 10 + (text_[at] - '0');
-  }
-  if (at == at_ || !ends_plainly(text_, at)) {
+  if (at_ + kWordRoom > text_.size()) {
     return -1;
   }
-  at_ = at;
-  return number;
+  const char* const text = text_.data() + at_;
+  std::uint64_t number = 0;
+  const std::size_t digits = syntax::take_few_digits(text, number);
+  std::size_t end = digits;
+  if (digits == 0 || digits > kMostDigits || !ends_plainly(text, end)) {
+    return -1;
+  }
+  at_ += end;
+  return static_cast<std::int32_t>(number);
 }
 
 void Scanner::plain_words(std::vector<syntax::Word>& words) {
-  const std::string_view text = text_;  // what is looked at is kept out of memory
-  std::size_t at = at_;
-  while (at < text.size()) {
-    const std::size_t begin = at;
-    const char letter = kShown[static_cast<unsigned char>(text[at])];
+  constexpr double kSigns[] = {1.0, -1.0};
+  std::size_t at = at_;  // what is looked at is kept out of memory
+  while (at + kWordRoom <= text_.size()) {
+    const char* const text = text_.data() + at;
+    const char letter = kShown[static_cast<unsigned char>(*text)];
     if (!is_letter(letter)) {
       break;
     }
-    ++at;
-    const bool is_negative = at < text.size() && text[at] == '-';
-    at += is_negative ? 1U : 0U;
+    const std::size_t sign = text[1] == '-' ? 1U : 0U;
     std::uint64_t mantissa = 0;
-    const std::size_t number = at;
-    syntax::take_digits(text, at, mantissa);
-    std::size_t digits = at - number;
-    const bool has_point = at < text.size() && text[at] == '.';
-    at += has_point ? 1U : 0U;
-    const std::size_t behind_point = at;
+    std::size_t end = 1 + sign;
+    std::size_t digits = syntax::take_few_digits(text + end, mantissa);
+    std::size_t decimals = 0;
+    end += digits;
+    const bool has_point = text[end] == '.';
     if (has_point) {
-      syntax::take_digits(text, at, mantissa);
+      ++end;
+      decimals = syntax::take_few_digits(text + end, mantissa);
+      end += decimals;
+      digits += decimals;
     }
-    const std::size_t end = at;
-    const std::size_t decimals = end - behind_point;
-    digits += decimals;
-    if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text, at)) {
-      at = begin;
+    const std::size_t length = end;
+    if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text, end)) {
       break;
     }
     const double value = syntax::decimal(mantissa, static_cast<int>(decimals));
@@ -240,8 +254,9 @@ void Scanner::plain_words(std::vector<syntax::Word>& words) {
     word.form = has_point ? syntax::ValueForm::Decimal : syntax::ValueForm::Integer;
     word.digits = static_cast<std::uint8_t>(digits);
     word.decimals = static_cast<std::uint8_t>(decimals);
-    word.number = is_negative ? -value : value;
-    word.span = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    word.number = value * kSigns[sign];  // no branch: it is not to be foretold either
+    word.span = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + length)};
+    at += end;
   }
   at_ = at;
 }

@@ -120,7 +120,7 @@ class Scanner {
 
   /// Steps over words as nearly every block of a long program has them, and appends them: an
   /// address and its number without anything between them, one blank behind them at most, numbers
-  /// that are exact, and something behind them.  It ends before the first one that is otherwise.
+  /// that are exact, and some text behind them.  It ends before the first one that is otherwise.
   void plain_words(std::vector<syntax::Word>& words);
 
   /// Steps over a whole number of eight digits at most that ends its word as plain_words() has it.

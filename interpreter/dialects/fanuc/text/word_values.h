@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -11,14 +12,9 @@
 
 namespace g31::fanuc {
 
-/// A word with its value worked out; vacant ones are not among them (MB-083).
-struct EvaluatedWord {
-  char letter = 0;
-  syntax::ValueForm form = syntax::ValueForm::Integer;
-  std::uint8_t decimals = 0;  ///< Decimal: digits behind the point
-  double number = 0.0;
-  syntax::ShortSpan span;
-};
+/// A word with its value worked out, which `number` is whatever its form; vacant ones are not among
+/// them (MB-083).
+using EvaluatedWord = syntax::Word;
 
 /// Whether the code of a word calls a program, which a name behind it may say.
 constexpr bool calls_program(const syntax::Word& word) {
@@ -43,41 +39,45 @@ class BlockWords {
  public:
   void clear() {
     words_.clear();
+    shown_ = {};
     present_ = 0;
     sequence_ = -1;
   }
   /// N of the block; -1: it has none.
   void set_sequence(int number) { sequence_ = number; }
   [[nodiscard]] int sequence() const { return sequence_; }
-  void add(const EvaluatedWord& word) {
-    note(word.letter);
-    words_.push_back(word);
+  void add(const EvaluatedWord& word) { add(word, word.number); }
+  /// These words and no others, which stay where they are: they must outlive the block.
+  void show(std::span<const EvaluatedWord> words) {
+    present_ = 0;
+    shown_ = words;
+    for (std::size_t place = 0; place < words.size(); ++place) {
+      note(words[place].letter, place);
+    }
   }
-  /// A word as the program has it, with the value worked out.  Made in place: a copy of a struct
-  /// just written field by field waits for every one of them.
+  /// A word as the program has it, with the value worked out.
   void add(const syntax::Word& word, double number) {
-    note(word.letter);
-    EvaluatedWord& added = words_.emplace_back();
-    added.letter = word.letter;
-    added.form = word.form;
-    added.decimals = word.decimals;
-    added.number = number;
-    added.span = word.span;
+    note(word.letter, words_.size());
+    words_.push_back(word);
+    words_.back().number = number;
   }
   [[nodiscard]] bool has(char letter) const { return (present_ >> (letter - 'A') & 1U) != 0; }
   [[nodiscard]] bool has_any(std::uint32_t letters) const { return (present_ & letters) != 0; }
   [[nodiscard]] const EvaluatedWord* find(char letter) const {
-    return has(letter) ? &words_[last_[static_cast<std::size_t>(letter - 'A')]] : nullptr;
+    return has(letter) ? &all()[last_[static_cast<std::size_t>(letter - 'A')]] : nullptr;
   }
-  [[nodiscard]] const std::vector<EvaluatedWord>& all() const { return words_; }
+  [[nodiscard]] std::span<const EvaluatedWord> all() const {
+    return shown_.empty() ? std::span(words_) : shown_;
+  }
 
  private:
-  void note(char letter) {
-    last_[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint16_t>(words_.size());
+  void note(char letter, std::size_t place) {
+    last_[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint16_t>(place);
     present_ |= 1U << (letter - 'A');
   }
 
   std::vector<EvaluatedWord> words_;
+  std::span<const EvaluatedWord> shown_;  // in the place of words_
   std::array<std::uint16_t, syntax::kLetterCount> last_{};
   std::uint32_t present_ = 0;
   int sequence_ = -1;
