@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/analysis/fanuc_comments.h"
 #include "interpreter/analysis/fanuc_flow.h"
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/dialects/fanuc/code/lathe.h"
@@ -110,6 +111,12 @@ class FanucPrograms final : public ProgramSet {
       }
     }
     return hidden;
+  }
+
+  std::vector<Finding> doubts_of_text(const std::string& path) override {
+    const auto programs = library_.programs_of(path);
+    return programs.empty() ? std::vector<Finding>()
+                            : open_comments(text(path), *programs.front()->tree);
   }
 
   std::optional<Fault> missing_program(const Flow& caller, const Call& call) override {

@@ -43,6 +43,8 @@ class ProgramSet {
   virtual std::vector<Flow> flows(const std::string& path) = 0;
   /// Programs of a file that was added which no call finds: one of their name stands before them.
   virtual std::vector<Finding> hidden_programs(const std::string& /*path*/) { return {}; }
+  /// What is doubtful in a file that was added, whichever of its programs it stands in.
+  virtual std::vector<Finding> doubts_of_text(const std::string& /*path*/) { return {}; }
   /// What every run begins with, wherever it stands; behind the last file and folder.
   virtual std::vector<Flow> definitions() { return {}; }
   /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.

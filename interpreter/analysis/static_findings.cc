@@ -134,6 +134,9 @@ std::vector<Finding> static_findings(ProgramSet& programs, const std::string& pa
   for (Finding& finding : programs.hidden_programs(path)) {
     findings.add(std::move(finding));
   }
+  for (Finding& finding : programs.doubts_of_text(path)) {
+    findings.add(std::move(finding));
+  }
   return findings.take();
 }
 

@@ -93,5 +93,17 @@ TEST(CheckCodes, AProgramThatIsThereTwiceIsTold) {
   EXPECT_EQ(testing::g31({"check", folder.write("left.nc", "O1\nO1\nM30\n")}).out, "");
 }
 
+// What stands behind it does not run, and nothing else would say so.
+TEST(CheckCodes, ACommentWithoutItsEndIsTold) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "open.nc", "(LEADER\n%\nO1 (WHOLE) (A (B)\nG0 X1. (UP Y2.\n#1=1 (A) (B\nM30\n%\n(BEHIND\n");
+  const auto output = testing::g31({"check", file});
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_EQ(places(output.out, folder),
+            (std::vector<std::string>{"open.nc:4:8: warning: this comment has no ) [NC014]",
+                                      "open.nc:5:10: warning: this comment has no ) [NC014]"}));
+}
+
 }  // namespace
 }  // namespace g31::check_codes_test
