@@ -32,6 +32,12 @@ WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole,
   const EvaluatedWord* const word = words.find('L');
   const int l = word != nullptr ? fanuc::nearest_integer(word->number) : fanuc::kUsualData;
   const bool is_offset = fanuc::find_offset_form(l, kMemory) != nullptr;
+  for (const EvaluatedWord& other : words.words().all()) {
+    if (WrongWord wrong = KnownWords::at(
+            is_offset ? fanuc::foreign_to_offset(other.letter, l) : std::nullopt, other)) {
+      return wrong;
+    }
+  }
   auto missing =
       is_offset ? fanuc::missing_offset_word(words.stands('P'), words.stands('R')) : std::nullopt;
   if (missing) {

@@ -218,6 +218,26 @@ TEST(CannedCycle, ShiftsToTheSideOfItsParameters) {
   }
 }
 
+/// So many pecks as whole ones go into the depth, whatever their sum is rounded to.
+TEST(CannedCycle, PecksNoRestOfRounding) {
+  for (int pecks = 1; pecks <= 40; ++pecks) {
+    for (int tenths = 1; tenths <= 20; ++tenths) {
+      const std::string depth = std::to_string(pecks * tenths * 100);  // least increments
+      const Moves moves = moves_of("G99G83X5.Z-" + depth + "R0Q" + std::to_string(tenths * 100));
+      // Two to get there, one for each peck, two between two of them, one back to R.
+      EXPECT_EQ(moves.size(), static_cast<std::size_t>(2 + pecks + 2 * (pecks - 1) + 1))
+          << pecks << " pecks of " << tenths << " tenths";
+    }
+  }
+}
+
+TEST(CannedCycle, TellsOfPecksOfTapping) {
+  const ControlRun run("fanuc-16i", "F100\nG0Z10.\nG99G84X5.Z-3.R2.Q1.");
+  EXPECT_EQ(run.alarm(), 0);
+  ASSERT_EQ(run.outcome().diagnostics.size(), 1u);
+  EXPECT_EQ(run.outcome().diagnostics.front().code, "PRB304");
+}
+
 TEST(CannedCycle, RepeatsByLWhereTheControlDoes) {
   const std::string by_l = "G91G99G81X5.Z-4.R-8.L2";
   EXPECT_EQ(moves_of(by_l).size(), 4u);

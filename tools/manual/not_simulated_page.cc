@@ -33,6 +33,7 @@ without a word: what they say has nothing to act on here.
   asks for from `control.keys` (PRB607).
 * Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  A thread
   (G33) begins at once, wherever the spindle stands.
+* A Fanuc tapping cycle (G74, G84) goes in and out once, whatever its Q: pecks of rigid tapping are passed over (PRB304).
 * There is one channel: programs of several channels wait for nobody.
 * A Fanuc main program of more than 1 MiB is read while it runs: a block that cannot be understood ends the run where it
   comes there (exit code 2); with a shorter one nothing moves then.  `g31 check` reads the whole of both.

@@ -82,3 +82,36 @@ M30
 (EXPECT #100 = 5)
 (EXPECT #101 = 10)
 (EXPECT #102 = 20)
+
+(CASE P of G10 L50 and the axis of PRM count the controlled axes, too)
+(SOURCE MB-260, MB-072, parameter 1020)
+(CONTROL fanuc-30i)
+(SETTING axes = "XYZB")
+(SHEET [machine.axes.B])
+(SHEET rapid = 3600.0)
+%
+O1
+G10 L50
+N1240 P4 R30.
+G11
+#100=PRM[1240]/[4]
+G91 G28 B0
+#101=#5024
+M30
+%
+(EXPECT #100 = 30)
+(EXPECT #101 = 30)
+
+(CASE there is no fifth to set)
+(CONTROL fanuc-30i)
+(SETTING axes = "XYZB")
+(SHEET [machine.axes.B])
+(SHEET rapid = 3600.0)
+%
+O1
+G10 L50
+N1240 P5 R30.
+G11
+M30
+%
+(EXPECT ALARM 1144 AT 8)

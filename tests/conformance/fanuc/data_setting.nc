@@ -219,3 +219,45 @@ G90 G55 G00 X0.
 M30
 %
 (EXPECT #100 = 0)
+
+(CASE a tool offset stays below its limit, by whatever way it is entered)
+(SOURCE alarm list of FANUC 16i, alarm 032: by G10 or by system variables)
+(CONTROL fanuc-16i)
+%
+O1
+#2201=999.999
+#100=#2201
+#2201=1000.
+M30
+%
+(EXPECT #100 = 999.999)
+(EXPECT ALARM 32 AT 7)
+
+(CASE below zero, too)
+(CONTROL fanuc-16i)
+%
+O1
+#11002=-1000.
+M30
+%
+(EXPECT ALARM 32 AT 4)
+
+(CASE an axis does not move beside G10 with a tool offset, and is told)
+(SOURCE alarm list of FANUC 30i, alarm 0031: an address that is not of the data)
+(CONTROL fanuc-16i)
+%
+O1
+G90 G10 L10 P5 R1. G01 X5. F100
+M30
+%
+(EXPECT ALARM 31 AT 5)
+
+(CASE those of a work offset are its data)
+(CONTROL fanuc-16i)
+%
+O1
+G90 G10 L2 P1 X5. F100 M08
+#100=#5221
+M30
+%
+(EXPECT #100 = 5)

@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/code/data_setting.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/vocabulary/offset_numbers.h"
@@ -27,6 +29,20 @@ const OffsetForm* find_offset_form(int l, OffsetMemory memory) {
     }
   }
   return nullptr;
+}
+
+bool ends_data(const Profile& profile) {
+  constexpr GNumber kEndOfData{11, 0};
+  return find_g_code(kEndOfData, profile) != nullptr;
+}
+
+MaybeWrong foreign_to_offset(char letter, int l) {
+  constexpr std::string_view kDistances = "IJK";
+  const bool is_foreign =
+      axis_index(letter) >= 0 || kDistances.find(letter) != std::string_view::npos;
+  return is_foreign ? MaybeWrong(WrongValue{AlarmId::DataInputFormat,
+                                            fmt::format("{} beside G10 L{}", letter, l)})
+                    : std::nullopt;
 }
 
 MaybeWrong missing_offset_word(bool has_p, bool has_r) {

@@ -28,6 +28,11 @@ constexpr bool sets_work_offset(int l) {
   return l == 2 || l == 20;
 }
 
+/// Whether a control has the G11 that ends what L50, L52 and L3 begin: it has not these without it.
+bool ends_data(const Profile& profile);
+
+/// Of an address that has no place beside a tool offset: an axis does not move in such a block.
+MaybeWrong foreign_to_offset(char letter, int l);
 /// Of a tool offset.
 MaybeWrong missing_offset_word(bool has_p, bool has_r);
 /// P of G10 L2 and L20, and of tool offsets.

@@ -10,7 +10,8 @@ namespace g31::fanuc {
 namespace {
 
 constexpr int kMostRepeats = 9999;
-constexpr double kMostPecks = 1e5;  // more is a slip of the keyboard
+constexpr double kMostPecks = 1e5;   // more is a slip of the keyboard
+constexpr double kSameDepth = 1e-9;  // mm: pecks add up to a depth but for their rounding
 
 /// One hole at work: moves along the drilling axis of the point where the machine stands.
 class Hole {
@@ -36,7 +37,7 @@ class Hole {
   MaybeFailure leave();
 
   MaybeFailure peck();
-  MaybeFailure draw_back(double from, double sign);
+  MaybeFailure draw_back(double done, double sign, bool clears);
   MaybeFailure move(double level, machine::Traverse traverse);
   MaybeFailure rapid(double level) { return move(level, machine::Traverse::Rapid); }
   MaybeFailure feed(double level) { return move(level, machine::Traverse::Feed); }
@@ -107,30 +108,36 @@ MaybeFailure Hole::peck() {
         fmt::format("{} is {} for a depth of {}", data_.shrinking ? "I or K" : "Q", least, depth));
   }
   double done = 0.0;
+  double cleared = 0.0;
   double cut = unscaled(cuts.first);
   while (true) {
     const double next = done + cut;
     cut = std::max(cut - unscaled(cuts.less), least);
-    const bool last = next >= depth;
+    const bool last = next >= depth - kSameDepth;
     if (auto failure = feed(last ? data_.bottom : data_.r + sign * next)) {
       return failure;
     }
     if (last) {
       return std::nullopt;
     }
-    if (auto failure = draw_back(next, sign)) {
+    const bool clears =
+        cycle_.feeding == CannedCycle::Feeding::FullRetract ||
+        (data_.clear_after > 0.0 && next - cleared >= unscaled(data_.clear_after) - kSameDepth);
+    if (auto failure = draw_back(next, sign, clears)) {
       return failure;
     }
+    cleared = clears ? next : cleared;
     done = next;
   }
 }
 
-/// Between two pecks: out and, with G83, in again.  @param done  depth so far below R
-MaybeFailure Hole::draw_back(double done, double sign) {
-  const bool full = cycle_.feeding == CannedCycle::Feeding::FullRetract;
+/// Between two pecks.
+/// @param done    depth so far below R
+/// @param clears  out to R and in again; else a little
+MaybeFailure Hole::draw_back(double done, double sign, bool clears) {
   const double way = unscaled(
-      control_.parameters.get(full ? ParameterId::PeckClearance : ParameterId::ChipBreakRetract));
-  if (full) {
+      control_.parameters.get(clears ? ParameterId::PeckClearance : ParameterId::ChipBreakRetract));
+  if (clears) {
     if (auto failure = rapid(data_.r)) {
       return failure;
     }
@@ -150,6 +157,10 @@ MaybeFailure Hole::dwell() {
 /// The shift of G76 and G87, in path coordinates: the spindle stands still where it was oriented,
 /// however the program is turned.
 AxisPositions Hole::shift() const {
+  if (data_.aside) {
+    return with_two(AxisPositions::Zero(), plane_.first, data_.aside->front(), plane_.second,
+                    data_.aside->back());
+  }
   const bool second = control_.parameters.is_on(ParameterId::ShiftAlongSecond);
   const bool negative = control_.parameters.is_on(ParameterId::ShiftNegative);
   AxisPositions q_B_shift = AxisPositions::Zero();
@@ -158,10 +169,10 @@ AxisPositions Hole::shift() const {
 }
 
 MaybeFailure Hole::step_aside() {
-  if (cycle_.shift == CannedCycle::Shift::None || data_.q == 0.0) {
+  q_B_aside_ = cycle_.shift == CannedCycle::Shift::Aside ? shift() : AxisPositions::Zero();
+  if (q_B_aside_ == AxisPositions::Zero()) {
     return std::nullopt;
   }
-  q_B_aside_ = shift();
   return rapid(q_L_[plane_.across]);
 }
 
@@ -189,6 +200,30 @@ MaybeFailure Hole::leave() {
   return to_initial() ? rapid(data_.initial) : std::nullopt;
 }
 
+/// What I, J and K are for, beside Q or in its place.
+void take_distances(const Control& control, const NcBlock& block, const Plane& plane,
+                    CycleData& data) {
+  const Profile& profile = control.profile;
+  const auto length = [&](char address) {
+    const EvaluatedWord* const word = block.words.find(address);
+    return word != nullptr ? control.scale.length_mm(*word) : 0.0;
+  };
+  if (block.words.has('Q')) {
+    data.shrinking.reset();
+    data.aside.reset();
+    data.clear_after = profile.pecks_clear ? std::abs(length('K')) : 0.0;
+  } else if (find_canned_cycle(control.modal.group[Group::CannedCycle].whole)->shift ==
+             CannedCycle::Shift::Aside) {
+    if (profile.shifts_by_distances &&
+        (block.words.has(plane.first_centre) || block.words.has(plane.second_centre))) {
+      data.aside = {length(plane.first_centre), length(plane.second_centre)};
+    }
+  } else if (profile.pecks_shrink && block.code == nullptr && block.words.has('I')) {
+    data.shrinking =
+        ShrinkingPeck{std::abs(length('I')), std::abs(length('J')), std::abs(length('K'))};
+  }
+}
+
 /// Takes Z, R, Q and P of the block into the cycle's data; G91 counts R from the initial level and
 /// Z from R.
 MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plane) {
@@ -205,15 +240,8 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
   }
   if (const EvaluatedWord* const q = block.words.find('Q')) {
     data.q = std::abs(control.scale.length_mm(*q));
-    data.shrinking.reset();
   }
-  if (control.profile.pecks_shrink && block.code == nullptr && block.words.has('I')) {
-    const auto length = [&](char address) {
-      const EvaluatedWord* const word = block.words.find(address);
-      return word != nullptr ? std::abs(control.scale.length_mm(*word)) : 0.0;
-    };
-    data.shrinking = ShrinkingPeck{length('I'), length('J'), length('K')};
-  }
+  take_distances(control, block, plane, data);
   if (const EvaluatedWord* const p = block.words.find('P')) {
     const auto seconds = dwell_seconds(control, *p);
     if (!seconds) {
@@ -325,6 +353,10 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
     return repeats.error();
   }
   const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+  if (cycle.dwell == CannedCycle::Dwell::BottomAndR && block.words.has('Q')) {
+    control.warn_once(source::DiagnosticId::NotSimulated, block.where,
+                      "Q of a tapping cycle (pecks of rigid tapping)");
+  }
   for (int i = 0; i < repeats.value(); ++i) {
     if (names_a_place(block, plane)) {
       if (auto failure = position(control, programmed_end(control, block), plane)) {

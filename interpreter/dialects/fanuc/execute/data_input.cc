@@ -41,11 +41,12 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
   const double value = entered_value(control, words.sequence(), *r);
   Parameters parameters = control.parameters;
   if (p != nullptr) {
-    const auto axis = integer_of(*p);
-    if (!axis || axis.value() < 1 || axis.value() > static_cast<int>(kAxisCount)) {
+    const auto given = integer_of(*p);
+    const auto axis = given ? control.controlled_axis(given.value() - 1) : std::nullopt;
+    if (!axis) {
       return at_word(AlarmId::DataInputFormat, *p, "P is the number of an axis");
     }
-    parameters.set_axis_value(words.sequence(), axis.value() - 1, value);
+    parameters.set_axis_value(words.sequence(), *axis, value);
   } else if (!parameters.enter(words.sequence(), value)) {
     return at_word(AlarmId::DataInputFormat, *r, "R is eight digits 0 or 1, bit 7 first");
   }

@@ -9,10 +9,12 @@
 namespace g31::fanuc {
 namespace {
 
-/// In inches offsets have one digit less before the point.
-constexpr double kInchLimit = 2.54;
-
 MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const OffsetForm& form) {
+  for (const EvaluatedWord& word : block.words.all()) {
+    if (auto failure = at_word(foreign_to_offset(word.letter, form.l), word)) {
+      return failure;
+    }
+  }
   const EvaluatedWord* const p = block.words.find('P');
   const EvaluatedWord* const r = block.words.find('R');
   if (auto wrong = missing_offset_word(p != nullptr, r != nullptr)) {
@@ -27,8 +29,7 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   const double before = control.modal.incremental() ? entry.*form.field : 0.0;
   const double share = form.is_radius && control.profile.enters_diameters ? 0.5 : 1.0;
   const double value = before + share * control.scale.length_mm(*r);
-  const double most =
-      control.profile.offset_limit_mm * (control.scale.unit == LengthUnit::Inch ? kInchLimit : 1.0);
+  const double most = control.offset_limit_mm();
   if (std::abs(value) >= most) {
     return at_word(AlarmId::IllegalValueInG10, *r,
                    fmt::format("an offset must be below {:g} mm", most));
@@ -97,11 +98,11 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   if (!l) {
     return l.error();
   }
-  if (sets_parameters(l.value())) {
+  if (sets_parameters(l.value()) && ends_data(control.profile)) {
     control.data_input = DataInput::Parameters;
     return std::nullopt;
   }
-  if (l.value() == kToolLifeData) {
+  if (l.value() == kToolLifeData && ends_data(control.profile)) {
     const EvaluatedWord* const p = block.words.find('P');
     constexpr double kDeletes = 2.0;
     control.data_input = DataInput::ToolLife;

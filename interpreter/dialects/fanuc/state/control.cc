@@ -13,8 +13,9 @@
 namespace g31::fanuc {
 namespace {
 
-/// @param parameters  must outlive the rules
-EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
+/// @param parameters, axes  must outlive the rules
+EvaluationRules rules_of(const Profile& profile, const Parameters& parameters,
+                         const std::string& axes) {
   EvaluationRules rules;
   const bool short_range =
       profile.has_series_30i_functions() && parameters.is_on(ParameterId::Range16i);
@@ -27,6 +28,7 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.joins_conditions =
       profile.joins_conditions || parameters.is_on(ParameterId::JoinsConditions);
   rules.parameters = &parameters;
+  rules.axes = &axes;
   rules.logic_operands = profile.logic_operands;
   return rules;
 }
@@ -88,7 +90,8 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       outlet(machine, listener),
       system_variables(chosen.variables),
       all_variables(variables, system),
-      evaluator(variables, all_variables, touches.missed, rules_of(chosen, parameters)) {
+      evaluator(variables, all_variables, touches.missed,
+                rules_of(chosen, parameters, controlled_axes)) {
   scale.excess_decimals = profile.excess_decimals;
   rapids.positioning = profile.rapids.positioning;
   outlet.lead_by(coordinates.leader());
@@ -179,7 +182,7 @@ void Control::apply(const Parameters& given) {
   const Parameters before = parameters;
   parameters = given;
   code_calls.turn_over(before, parameters, profile);
-  evaluator.set_rules(rules_of(profile, parameters));
+  evaluator.set_rules(rules_of(profile, parameters, controlled_axes));
   scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
   roll_over = RollOver(parameters);
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),

@@ -124,10 +124,12 @@ struct Control : ControlState {
   MaybeFailure tell_machine();
   /// Storage index of a controlled axis, counted from 0; nullopt: there is none of this number.
   [[nodiscard]] std::optional<int> controlled_axis(int number) const {
-    const auto place = static_cast<std::size_t>(number);
-    return number >= 0 && place < controlled_axes.size()
-               ? std::optional(axis_index(controlled_axes[place]))
-               : std::nullopt;
+    return fanuc::controlled_axis(controlled_axes, number);
+  }
+  /// mm: a tool offset is smaller (MB-263).
+  [[nodiscard]] double offset_limit_mm() const {
+    constexpr double kInchLimit = 2.54;  // in inches offsets have one digit less before the point
+    return profile.offset_limit_mm * (scale.unit == LengthUnit::Inch ? kInchLimit : 1.0);
   }
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
   void set_offset_memory(OffsetMemory memory);

@@ -284,13 +284,11 @@ Cell Evaluator::parameter(double number, std::optional<double> bit) {
 /// PRM[number]/[axis], axes counted from 1 (MB-072).
 Cell Evaluator::axis_parameter(double number, double axis) {
   const double place = std::round(number);
-  const double which = std::round(axis);
-  if (place < 0.0 || place > kLargestParameter || which < 1.0 ||
-      which > static_cast<double>(kAxisCount)) {
+  const auto which = controlled_axis(*rules_.axes, nearest_integer(axis) - 1);
+  if (place < 0.0 || place > kLargestParameter || !which) {
     return fail(AlarmId::IllegalArgument, fmt::format("PRM[{}]/[{}]", number, axis));
   }
-  return Cell(
-      rules_.parameters->shown_for_axis(static_cast<int>(place), static_cast<int>(which) - 1));
+  return Cell(rules_.parameters->shown_for_axis(static_cast<int>(place), *which));
 }
 
 /// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).

@@ -24,6 +24,7 @@ struct EvaluationRules {
   bool clear_small_sines = false;          ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
   bool joins_conditions = false;           ///< 6006.0 MLG: AND OR XOR between comparisons
   const Parameters* parameters = nullptr;  ///< what PRM reads
+  const std::string* axes = nullptr;       ///< the letters of the controlled axes, as PRM counts
   LogicOperands logic_operands = LogicOperands::Round;
 };
 

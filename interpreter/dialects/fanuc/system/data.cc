@@ -51,9 +51,9 @@ WriteResult write_datum(Control& control, const Place& place, Cell value) {
 ReadResult read_named_parameter(Control& control, const Place&) {
   const int number = nearest_integer(control.data[kNameOfParameter]);
   const int axis = nearest_integer(control.data[kAxisOfParameter]);
-  const bool has_axis = axis >= 1 && axis <= static_cast<int>(kAxisCount);
-  return Cell(has_axis ? control.parameters.shown_for_axis(number, axis - 1)
-                       : control.parameters.shown(number));
+  const auto of = control.controlled_axis(axis - 1);
+  return Cell(of ? control.parameters.shown_for_axis(number, *of)
+                 : control.parameters.shown(number));
 }
 
 ReadResult read_datum_alias(Control& control, const Place& place) {

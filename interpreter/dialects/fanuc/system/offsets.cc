@@ -60,8 +60,11 @@ ReadResult read_tool_entry(Control& control, const Place& place) {
 WriteResult write_tool_entry(Control& control, const Place& place, Cell value) {
   control.use_measured();
   const EntryView view = view_of(place.row.shows);
-  control.offsets.set_field(place.index() + 1, view.field,
-                            control.to_mm(value.or_zero()) / view.factor);
+  const double entry = control.to_mm(value.or_zero()) / view.factor;
+  if (std::abs(entry) >= control.offset_limit_mm()) {
+    return AlarmId::IllegalValueInG10;  // whose text on the control names variables as well
+  }
+  control.offsets.set_field(place.index() + 1, view.field, entry);
   return std::nullopt;
 }
 

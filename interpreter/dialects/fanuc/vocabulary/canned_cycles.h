@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -40,8 +41,11 @@ struct CycleData {
   double bottom = 0.0;
   double q = 0.0;                          ///< mm, >= 0: depth of a peck, or the shift
   std::optional<ShrinkingPeck> shrinking;  ///< in the place of Q
-  double dwell_s = 0.0;                    ///< P
-  bool has_begun = false;                  ///< its first block has run
+  double clear_after = 0.0;  ///< mm: so much deeper a peck of G73 returns to R; 0: never
+  /// mm along the first and the second axis of the plane: a shift in the place of Q.
+  std::optional<std::array<double, 2>> aside;
+  double dwell_s = 0.0;    ///< P
+  bool has_begun = false;  ///< its first block has run
 
   bool operator==(const CycleData&) const = default;
 };

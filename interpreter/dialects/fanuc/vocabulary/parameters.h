@@ -43,6 +43,14 @@ const ParameterInfo* find_parameter(int number);
 /// Whether what a sheet calls so changes anything here: "6001.1", "3410", "1240.X".
 bool has_effect(std::string_view name);
 
+/// Storage index of a controlled axis.
+/// @param axes    the letters of all of them, as parameter 1020 has them
+/// @param number  counted from 0; nullopt: there is none of this number
+constexpr std::optional<int> controlled_axis(std::string_view axes, int number) {
+  const auto place = static_cast<std::size_t>(number);
+  return number >= 0 && place < axes.size() ? std::optional(axis_index(axes[place])) : std::nullopt;
+}
+
 /// Control parameters as the set-up sheet or G10 L50 gives them.
 class Parameters {
  public:

@@ -121,6 +121,7 @@ constexpr Profile meldas() {
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
   profile.cycle_repeats = 'L';
+  profile.shifts_by_distances = true;      // M700V programming manual, fixed cycles G76 and G87
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.bars_origins_in_rotation = false;
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
@@ -163,6 +164,8 @@ constexpr Profile haas() {
   profile.text = "Haas";
   profile.cycle_repeats = 'L';
   profile.pecks_shrink = true;  // mill operator's manual 96-8000, G73 and G83
+  profile.pecks_clear = true;
+  profile.shifts_by_distances = true;  // the same manual, G76
   profile.bars_origins_in_rotation = false;
   profile.scale_is_factor = true;  // mill operator's manual, G51: P2. and P2 are both twice
   profile.largest_result = std::numeric_limits<double>::max();

@@ -215,10 +215,12 @@ struct Profile {
 
   // Offsets and canned cycles
   int additional_systems = kAdditionalSystems;  ///< P of G54.1 and G10 L20 goes up to it
-  bool enters_diameters = false;    ///< R of G10 L12 and L13 is a diameter; else a radius
-  double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
-  char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
-  bool pecks_shrink = false;        ///< G73 and G83 take I J K in the place of Q
+  bool enters_diameters = false;     ///< R of G10 L12 and L13 is a diameter; else a radius
+  double offset_limit_mm = 1000.0;   ///< G10 takes less than this (MB-263); in inches a tenth
+  char cycle_repeats = 'K';          ///< repeats of a canned cycle (MB-312)
+  bool pecks_shrink = false;         ///< G73 and G83 take I J K in the place of Q
+  bool pecks_clear = false;          ///< G73 with Q and K returns to R whenever it is K deeper
+  bool shifts_by_distances = false;  ///< G76 and G87 take I J in the place of Q
 
   ParameterId surface_axis = ParameterId::SurfaceAxis;  ///< of G96 without P
   char lowest_speed_word = '\0';  ///< beside S of G92, for G96 (M700V programming manual); \0: none
