@@ -7,8 +7,10 @@
 namespace g31::sinumerik {
 namespace {
 
+constexpr char kPairs = 'P';  // axes, each with its number
+
 bool is_repeated(char kind) {
-  return kind == '*' || kind == 'o' || kind == '#';
+  return kind == '*' || kind == 'o' || kind == '#' || kind == kPairs;
 }
 
 /// With another argument behind it.
@@ -29,7 +31,7 @@ bool is_taken_by(char kind, const Argument& argument) {
 }  // namespace
 
 bool may_be_missing(char kind) {
-  return (kind >= 'a' && kind <= 'z') || kind == '*' || kind == '#';
+  return (kind >= 'a' && kind <= 'z') || kind == '*' || kind == '#' || kind == kPairs;
 }
 
 Expr Expressions::plain_mathematics(FunctionId id, ShortSpan where) {
@@ -89,9 +91,17 @@ std::vector<Argument> Expressions::arguments(std::string_view parameters, std::s
     if (!list.empty()) {
       expect(Symbol::Comma);
     }
-    list.push_back(argument(kind));
+    list.push_back(argument(kind == kPairs ? 'A' : kind));
     if (!failed() && !is_taken_by(kind, list.back())) {
       fail(AlarmId::ReferenceMissing, list.back().where, std::string(name));
+    }
+    if (kind == kPairs && !failed()) {
+      if (cursor_.peek().is(Symbol::RightParen)) {
+        fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(name));
+        break;
+      }
+      expect(Symbol::Comma);
+      list.push_back(argument('N'));
     }
     i += is_repeated(kind) ? 0U : 1U;
   }

@@ -36,13 +36,10 @@ struct AxisValue {
 
 /// Axes and their values in turn.
 Result<std::vector<AxisValue>, Failure> axis_values(Operands& at, const Op& op, Arguments list) {
-  if (list.size() % 2 != 0) {
-    return failure(AlarmId::ArgumentCount, function::name_of(op));
-  }
   std::vector<AxisValue> all;
-  for (std::size_t i = 0; i < list.size(); i += 2) {
-    const double axis = list[i].type == Type::Axis ? at.number(list[i]) : kNoAxis;
-    if (axis < 0.0 || !is_number(list[i + 1].type)) {
+  for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
+    const double axis = at.number(list[i]);
+    if (axis < 0.0) {
       return failure(AlarmId::NotAnAxis, function::name_of(op));
     }
     if (axis == kSpindleAxis) {
