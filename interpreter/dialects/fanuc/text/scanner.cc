@@ -254,7 +254,7 @@ void Scanner::plain_words(std::vector<syntax::Word>& words) {
     word.form = has_point ? syntax::ValueForm::Decimal : syntax::ValueForm::Integer;
     word.digits = static_cast<std::uint8_t>(digits);
     word.decimals = static_cast<std::uint8_t>(decimals);
-    word.number = value * kSigns[sign];  // no branch: it is not to be foretold either
+    word.number = value * kSigns[sign];  // no branch: signs are not to be foretold
     word.span = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + length)};
     at += end;
   }
