@@ -93,12 +93,10 @@ WrongWord wrong_scaling(const KnownWords& words, syntax::ShortSpan whole,
   if (p == nullptr || words.stands('I') || words.stands('J') || words.stands('K')) {
     return std::nullopt;
   }
-  const bool is_factor = fanuc::is_scale_factor(*p, profile);
-  if (!is_factor && !fanuc::is_integer(*p)) {
+  if (!fanuc::is_scale_factor(*p, profile) && !fanuc::is_integer(*p)) {
     return KnownWords::at(fanuc::point_in(*p), *p);
   }
-  const double factor = is_factor ? p->number : p->number * fanuc::kThousandth;
-  return at_block(fanuc::wrong_scale(factor, false), whole);
+  return at_block(fanuc::wrong_scale(fanuc::scale_factor(*p, profile), false), whole);
 }
 
 }  // namespace

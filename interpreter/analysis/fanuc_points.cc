@@ -70,7 +70,9 @@ class Reader {
       constexpr double kLeastPeck = 0.1;  // without a point by custom
       return Counts{scale.counts_per_mm, scale.counts_per_inch, kLeastPeck};
     }
-    const bool is_corner = letter == syntax::kChamferWord || letter == syntax::kRoundingWord;
+    // Beside a tapping cycle ,R is no length either.
+    const bool is_corner =
+        !block_.drills && (letter == syntax::kChamferWord || letter == syntax::kRoundingWord);
     const bool is_length = is_corner || is_in(kLengths, letter);
     // In a cycle I, J and K are counts and multiples, too.
     const bool is_of_cycle = block_.drills && is_in("IJK", letter);

@@ -1042,3 +1042,32 @@ G11
 M30
 %
 (EXPECT ALARM 31 AT 3)
+
+(CASE G10 L2 P0 is G52, which G52 changes and #5201 shows)
+(SOURCE Haas mill operator's manual, G10 and macro variables #5201 to #5206)
+%
+O1
+G21 G54
+G10 L2 P0 X1. Y2.
+#100=#5201
+G91 G10 L2 P0 Y.5
+G90
+#101=#5202
+G52 X0 Y0
+G0 X0 Y0
+#102=#5021
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2.5)
+(EXPECT #102 = 0)
+
+(CASE G136 without M75 before it is told)
+(SIGNAL X7)
+%
+O1
+G21 G90 G54 G00 X0 Y0
+G136 X10. F100.
+M30
+%
+(EXPECT WARNING PRB334)

@@ -339,3 +339,64 @@ M30
 (EXPECT MOVE 9 X10 Y5 Z50)
 (EXPECT MOVE 12 X20 Y5 Z-6)
 (EXPECT MOVE 13 X21 Y5 Z-6)
+
+(CASE G84 with ,R1: F is the lead of the tap, until ,R0)
+(SOURCE M700V programming manual, fixed cycles)
+%
+O1
+G90 G54 G94 G00 X0 Y0 Z50.
+S500 M3
+G99 G84 X1. Y1. Z-5. R2. F1.25 ,R1
+X2.
+X3. ,R0
+G80
+M30
+%
+(EXPECT MOVE 4 X1 Y1 Z-5 F625)
+(EXPECT MOVE 5 X1 Y1 Z2 F625)
+(EXPECT MOVE 8 X2 Y1 Z-5 F625)
+(EXPECT MOVE 12 X3 Y1 Z-5 F1.25)
+
+(CASE G51: a whole P counts millionths, one with a point is the factor)
+(SOURCE M700V programming manual, scaling)
+%
+O1
+G90 G54 G0 X0 Y0
+G51 X0 Y0 P2000000
+X10.
+#100=#5021
+G51 X0 Y0 P0.5
+X10.
+#101=#5021
+#1=0.25
+G51 X0 Y0 P#1
+X10.
+#102=#5021
+G50
+M30
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = 5)
+(EXPECT #102 = 2.5)
+
+(CASE axes that the centre does not name are not scaled)
+(SOURCE M700V programming manual, scaling)
+%
+O1
+G90 G54 G0 X0 Y0
+G51 X0 P500000
+X10. Y10.
+#100=#5021
+#101=#5022
+G51 X0 Y0 I0.5 J2.
+X10. Y10.
+#102=#5021
+#103=#5022
+G50
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 10)
+(EXPECT #102 = 5)
+(EXPECT #103 = 20)
+(EXPECT NO WARNING PRB328)

@@ -40,7 +40,7 @@ class Hole {
   MaybeFailure draw_back(double done, double sign, bool clears);
   MaybeFailure move(double level, machine::Traverse traverse);
   MaybeFailure rapid(double level) { return move(level, machine::Traverse::Rapid); }
-  MaybeFailure feed(double level) { return move(level, machine::Traverse::Feed); }
+  MaybeFailure feed(double level);
   [[nodiscard]] AxisPositions shift() const;
   /// Scaling leaves Q and the parameters of pecking as they are.
   [[nodiscard]] double unscaled(double mm) const {
@@ -85,6 +85,18 @@ MaybeFailure Hole::move(double level, machine::Traverse traverse) {
   const AxisPositions q_B_end = control_.coordinates.to_path(q_L_) + q_B_aside_;
   return traverse == machine::Traverse::Rapid ? rapid_to(control_, q_B_end, control_.rapid_path())
                                               : feed_to(control_, q_B_end, 1);
+}
+
+MaybeFailure Hole::feed(double level) {
+  if (!(taps(cycle_) && data_.is_synchronous)) {
+    return move(level, machine::Traverse::Feed);
+  }
+  constexpr GNumber kPerTurn{95, 0};
+  GNumber& mode = control_.modal.group[Group::FeedMode];
+  const GNumber in_force = std::exchange(mode, kPerTurn);
+  auto failure = move(level, machine::Traverse::Feed);
+  mode = in_force;
+  return failure;
 }
 
 MaybeFailure Hole::enter() {
@@ -192,7 +204,7 @@ MaybeFailure Hole::leave() {
   if (auto failure = by_feed ? feed(data_.r) : rapid(data_.r)) {
     return failure;
   }
-  if (cycle_.dwell == CannedCycle::Dwell::BottomAndR) {
+  if (taps(cycle_)) {
     if (auto failure = dwell()) {
       return failure;
     }
@@ -242,6 +254,9 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
     data.q = std::abs(control.scale.length_mm(*q));
   }
   take_distances(control, block, plane, data);
+  if (const EvaluatedWord* const r = block.words.find(syntax::kRoundingWord)) {
+    data.is_synchronous = r->number != 0.0;
+  }
   if (const EvaluatedWord* const p = block.words.find('P')) {
     const auto seconds = dwell_seconds(control, *p);
     if (!seconds) {
@@ -353,7 +368,7 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
     return repeats.error();
   }
   const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
-  if (cycle.dwell == CannedCycle::Dwell::BottomAndR && block.words.has('Q')) {
+  if (taps(cycle) && block.words.has('Q')) {
     control.warn_once(source::DiagnosticId::NotSimulated, block.where,
                       "Q of a tapping cycle (pecks of rigid tapping)");
   }

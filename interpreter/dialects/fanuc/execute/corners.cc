@@ -33,12 +33,21 @@ double corner_size_mm(const Control& control, const EvaluatedWord& word) {
          std::max(transform.stretch(plane.first), transform.stretch(plane.second));
 }
 
+/// Whether ,R says how a hole is tapped, and no radius.
+bool rounds_nothing(const Control& control) {
+  const CannedCycle* const cycle = find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+  return control.profile.has_synchronous_taps && cycle != nullptr && taps(*cycle);
+}
+
 /// What the block's ,C and ,R ask for.
 Result<CornerWish, Failure> wish_of(const Control& control, const NcBlock& block) {
   CornerWish wish;
   const EvaluatedWord* asked = nullptr;
   for (const EvaluatedWord& word : block.words.all()) {
     if (word.letter != syntax::kChamferWord && word.letter != syntax::kRoundingWord) {
+      continue;
+    }
+    if (word.letter == syntax::kRoundingWord && rounds_nothing(control)) {
       continue;
     }
     if (asked != nullptr && !control.profile.last_corner_word_counts) {

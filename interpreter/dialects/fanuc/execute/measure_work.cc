@@ -85,6 +85,15 @@ void set_work_zero(Control& control, const NcBlock& block, const AxisPositions& 
   control.coordinates.arrived_at_machine(control.port.position());
 }
 
+/// The point of M75.
+SkipPoint marked_point(Control& control, const NcBlock& block) {
+  if (!control.marked_skip) {
+    control.warn_once(source::DiagnosticId::NoMarkedPoint, block.where,
+                      to_text(block.code->number));
+  }
+  return control.marked_skip.value_or(SkipPoint{});
+}
+
 }  // namespace
 
 void keep_marked_point(Control& control, const BlockWords& words) {
@@ -116,7 +125,7 @@ MaybeFailure execute_work_measurement(Control& control, const NcBlock& block) {
   if (q_M_latched.value()) {
     AxisPositions q_M_zero = surface(control, control.last_skip);
     if (block.code->action == GAction::MeasureCentre) {
-      q_M_zero = (q_M_zero + surface(control, control.marked_skip)) / 2.0;
+      q_M_zero = (q_M_zero + surface(control, marked_point(control, block))) / 2.0;
     }
     set_work_zero(control, block, q_M_zero);
   }
@@ -139,7 +148,7 @@ MaybeFailure execute_diameter_measurement(Control& control, const NcBlock& block
     return q_M_latched.error();
   }
   if (q_M_latched.value()) {
-    const AxisPositions apart = *q_M_latched.value() - control.marked_skip.q_M_latched;
+    const AxisPositions apart = *q_M_latched.value() - marked_point(control, block).q_M_latched;
     const double diameter = std::hypot(apart[0], apart[1]) - setting_mm(control, kWidthOfToolProbe);
     control.offsets.set_field(number, &runtime::ToolEntry::radius_mm, diameter / 2.0);
   }

@@ -50,13 +50,17 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
     return number.error();
   }
   const int which = number.value() + (l == 2 ? 0 : Coordinates::kSystems);
+  // Number 0 is what #5201 shows.  Source: Haas mill operator's manual, G10: P0 is G52
+  const bool is_local = which == 0 && control.profile.variables.meets({VariableGroup::ShiftAt5201});
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
       const double value = axis_value(control, *word, axis);
       const int index = static_cast<int>(axis);
-      const double before =
-          control.modal.incremental() ? control.coordinates.system(which)[index] : 0.0;
-      control.coordinates.set_system(which, index, before + value);
+      const AxisPositions& now =
+          is_local ? control.coordinates.local_shift() : control.coordinates.system(which);
+      const double entered = (control.modal.incremental() ? now[index] : 0.0) + value;
+      is_local ? control.coordinates.set_local_shift(index, entered)
+               : control.coordinates.set_system(which, index, entered);
     }
   }
   control.work_offset_given(which);

@@ -13,20 +13,19 @@ void apply(Control& control) {
 }
 
 /// P, I, J, K of G51.
-Result<double, Failure> scale_factor(const Control& control, const EvaluatedWord& word) {
-  if (is_scale_factor(word, control.profile)) {
-    return word.number;
-  }
-  const auto thousandths = integer_of(word);
-  return thousandths ? Result<double, Failure>(thousandths.value() * kThousandth)
-                     : thousandths.error();
+Result<double, Failure> given_factor(const Control& control, const EvaluatedWord& word) {
+  return is_scale_factor(word, control.profile) || is_integer(word)
+             ? Result<double, Failure>(scale_factor(word, control.profile))
+             : at_word(point_in(word), word);
 }
 
 Result<Point, Failure> scale_factors(Control& control, const NcBlock& block) {
   constexpr char kAxisFactors[] = {'I', 'J', 'K'};
   const BlockWords& words = block.words;
   const bool has_axis_factor = words.has_any(letters_of({kAxisFactors, std::size(kAxisFactors)}));
-  const bool by_axis = has_axis_factor && control.parameters.is_on(ParameterId::ScaleByAxis);
+  const bool scales_named = control.profile.scales_named_axes;
+  const bool by_axis =
+      has_axis_factor && (scales_named || control.parameters.is_on(ParameterId::ScaleByAxis));
   if (has_axis_factor && !by_axis) {
     control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where,
                       "G51 scales by P; by I J K with parameter 5400.6");
@@ -35,9 +34,14 @@ Result<Point, Failure> scale_factors(Control& control, const NcBlock& block) {
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const ParameterId usual = by_axis ? ParameterId::UsualAxisScale : ParameterId::UsualScale;
     double& factor = factors[axis];
+    if (scales_named && block.has_axis_word &&
+        !words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+      factor = 1.0;
+      continue;
+    }
     factor = control.parameters.get_for_axis(usual, 0, axis) * kThousandth;
     if (const EvaluatedWord* const word = words.find(by_axis ? kAxisFactors[axis] : 'P')) {
-      const auto given = scale_factor(control, *word);
+      const auto given = given_factor(control, *word);
       if (!given) {
         return given.error();
       }

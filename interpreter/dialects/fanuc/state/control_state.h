@@ -148,8 +148,8 @@ struct ControlState {
 
   AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
   SkipPoint last_skip;
-  SkipPoint marked_skip;      ///< what M75 of a Haas keeps
-  bool printer_open = false;  ///< between POPEN and PCLOS
+  std::optional<SkipPoint> marked_skip;  ///< what M75 of a Haas keeps
+  bool printer_open = false;             ///< between POPEN and PCLOS
   /// Common variables beyond #999, by number; those that are not there are vacant.
   std::map<std::int32_t, Cell> further_commons;
   /// What the set-up sheet says of the machine, and outputs, by variable number; else 0.

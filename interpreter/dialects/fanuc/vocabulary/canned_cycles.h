@@ -20,6 +20,11 @@ struct CannedCycle {
   Retract retract;
 };
 
+/// G74 and G84.
+constexpr bool taps(const CannedCycle& cycle) {
+  return cycle.dwell == CannedCycle::Dwell::BottomAndR;
+}
+
 /// The row of a code, or nullptr: G80 and every other code.
 const CannedCycle* find_canned_cycle(int code);
 
@@ -44,8 +49,9 @@ struct CycleData {
   double clear_after = 0.0;  ///< mm: so much deeper a peck of G73 returns to R; 0: never
   /// mm along the first and the second axis of the plane: a shift in the place of Q.
   std::optional<std::array<double, 2>> aside;
-  double dwell_s = 0.0;    ///< P
-  bool has_begun = false;  ///< its first block has run
+  double dwell_s = 0.0;         ///< P
+  bool is_synchronous = false;  ///< ,R1 of a tapping cycle
+  bool has_begun = false;       ///< its first block has run
 
   bool operator==(const CycleData&) const = default;
 };

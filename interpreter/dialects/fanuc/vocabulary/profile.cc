@@ -20,11 +20,12 @@ constexpr GNumber kMissingOfBrother[] = {
     {68, 2}, {68, 3}, {68, 4}, {72, 1}, {72, 2}, {84, 2}, {84, 3}, {107, 0}, {112, 0}, {113, 0}};
 /// Mill operator's manual (NGC) 2017, lists of G codes.  It names G66 and G67 elsewhere.
 constexpr GNumber kMissingOfHaas[] = {
-    {5, 0},  {5, 1},  {7, 1},  {8, 0},  {11, 0}, {12, 1}, {13, 1}, {15, 0}, {16, 0}, {22, 0},
-    {23, 0}, {25, 0}, {27, 0}, {30, 0}, {31, 8}, {33, 0}, {38, 0}, {39, 0}, {40, 1}, {41, 1},
-    {42, 1}, {43, 4}, {43, 5}, {45, 0}, {46, 0}, {47, 0}, {48, 0}, {50, 1}, {50, 2}, {51, 1},
-    {51, 2}, {53, 1}, {53, 6}, {54, 1}, {54, 2}, {54, 4}, {62, 0}, {63, 0}, {68, 2}, {68, 3},
-    {68, 4}, {72, 1}, {72, 2}, {84, 2}, {84, 3}, {87, 0}, {88, 0}, {92, 1}, {96, 0}, {97, 0}};
+    {5, 0},  {5, 1},  {7, 1},  {8, 0},  {11, 0}, {12, 1}, {13, 1}, {15, 0}, {16, 0},
+    {22, 0}, {23, 0}, {25, 0}, {26, 0}, {27, 0}, {30, 0}, {31, 8}, {33, 0}, {38, 0},
+    {39, 0}, {40, 1}, {41, 1}, {42, 1}, {43, 4}, {43, 5}, {45, 0}, {46, 0}, {47, 0},
+    {48, 0}, {50, 1}, {50, 2}, {51, 1}, {51, 2}, {53, 1}, {53, 6}, {54, 1}, {54, 2},
+    {54, 4}, {62, 0}, {63, 0}, {68, 2}, {68, 3}, {68, 4}, {72, 1}, {72, 2}, {84, 2},
+    {84, 3}, {87, 0}, {88, 0}, {92, 1}, {96, 0}, {97, 0}};
 /// The tilted plane is an option there, tool centre point control is not to be had.
 constexpr GNumber kMissingOf0iF[] = {{43, 4}, {43, 5}, {53, 6}, {54, 2}, {54, 4}, {68, 3}, {68, 4}};
 
@@ -121,8 +122,12 @@ constexpr Profile meldas() {
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
   profile.cycle_repeats = 'L';
-  profile.shifts_by_distances = true;      // M700V programming manual, fixed cycles G76 and G87
+  // M700V programming manual, fixed cycles G74 and G84, G76 and G87
+  profile.has_synchronous_taps = true;
+  profile.shifts_by_distances = true;
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
+  profile.scale_counts = 1e6;              // M700V programming manual, scaling
+  profile.scales_named_axes = true;
   profile.bars_origins_in_rotation = false;
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;

@@ -205,7 +205,9 @@ struct Profile {
                               VariableGroup::LegacyOffsets, VariableGroup::LongOffsets,
                               VariableGroup::OffsetsC,      VariableGroup::ExternalOffset};
 
-  bool scale_is_factor = false;  ///< P of G51 is the factor, point or not; else thousandths of it
+  bool scale_is_factor = false;    ///< P of G51 is the factor, point or not; else it is counted
+  double scale_counts = 1000.0;    ///< of a factor of 1, in a whole number
+  bool scales_named_axes = false;  ///< G51 with a centre: no others, by I J K without a parameter
   /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
   bool bars_origins_in_rotation = true;
 
@@ -215,12 +217,13 @@ struct Profile {
 
   // Offsets and canned cycles
   int additional_systems = kAdditionalSystems;  ///< P of G54.1 and G10 L20 goes up to it
-  bool enters_diameters = false;     ///< R of G10 L12 and L13 is a diameter; else a radius
-  double offset_limit_mm = 1000.0;   ///< G10 takes less than this (MB-263); in inches a tenth
-  char cycle_repeats = 'K';          ///< repeats of a canned cycle (MB-312)
-  bool pecks_shrink = false;         ///< G73 and G83 take I J K in the place of Q
-  bool pecks_clear = false;          ///< G73 with Q and K returns to R whenever it is K deeper
-  bool shifts_by_distances = false;  ///< G76 and G87 take I J in the place of Q
+  bool enters_diameters = false;      ///< R of G10 L12 and L13 is a diameter; else a radius
+  double offset_limit_mm = 1000.0;    ///< G10 takes less than this (MB-263); in inches a tenth
+  char cycle_repeats = 'K';           ///< repeats of a canned cycle (MB-312)
+  bool pecks_shrink = false;          ///< G73 and G83 take I J K in the place of Q
+  bool pecks_clear = false;           ///< G73 with Q and K returns to R whenever it is K deeper
+  bool has_synchronous_taps = false;  ///< ,R1 beside G74 and G84: F is the lead, mm in a turn
+  bool shifts_by_distances = false;   ///< G76 and G87 take I J in the place of Q
 
   ParameterId surface_axis = ParameterId::SurfaceAxis;  ///< of G96 without P
   char lowest_speed_word = '\0';  ///< beside S of G92, for G96 (M700V programming manual); \0: none
