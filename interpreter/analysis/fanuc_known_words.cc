@@ -32,16 +32,15 @@ WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole,
   const EvaluatedWord* const word = words.find('L');
   const int l = word != nullptr ? fanuc::nearest_integer(word->number) : fanuc::kUsualData;
   const bool is_offset = fanuc::find_offset_form(l, kMemory) != nullptr;
-  for (const EvaluatedWord& other : words.words().all()) {
-    if (WrongWord wrong = KnownWords::at(
-            is_offset ? fanuc::foreign_to_offset(other.letter, l) : std::nullopt, other)) {
-      return wrong;
+  if (is_offset) {
+    for (const EvaluatedWord& other : words.words().all()) {
+      if (WrongWord wrong = KnownWords::at(fanuc::foreign_to_offset(other.letter, l), other)) {
+        return wrong;
+      }
     }
-  }
-  auto missing =
-      is_offset ? fanuc::missing_offset_word(words.stands('P'), words.stands('R')) : std::nullopt;
-  if (missing) {
-    return at_block(std::move(missing), whole);
+    if (auto missing = fanuc::missing_offset_word(words.stands('P'), words.stands('R'))) {
+      return at_block(std::move(missing), whole);
+    }
   }
   return is_offset || fanuc::sets_work_offset(l)
              ? words.integer('P', [&](int p) { return fanuc::wrong_data_number(l, p, profile); })
@@ -106,7 +105,7 @@ KnownWords::KnownWords(std::span<const syntax::Word> words) {
     if (word.form == syntax::ValueForm::Computed) {
       open_ |= fanuc::letters_of({&word.letter, 1});
     } else {
-      words_.add(word, word.number);
+      words_.add(word);
     }
   }
 }

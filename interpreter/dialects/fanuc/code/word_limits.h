@@ -82,16 +82,15 @@ constexpr bool skips_by_torque(int number) {
 /// Axes of G31 P98 and P99.
 MaybeWrong wrong_skip_axes(int count);
 inline constexpr double kThousandth = 0.001;
-/// Whether P, I, J or K of G51 is a factor, as some controls take it with a point; else it counts
-/// thousandths, or what the control has for them (MB-299).
+/// Whether P, I, J or K of G51 is a factor; else it counts thousandths, or what the control has for
+/// them.
 inline bool is_scale_factor(const EvaluatedWord& word, const Profile& profile) {
-  const bool takes_fractions = profile.has_series_30i_functions() || profile.scales_named_axes;
-  return profile.scale_is_factor || (word.form != syntax::ValueForm::Integer && takes_fractions);
+  return profile.scale.takes_fractions && word.form != syntax::ValueForm::Integer;
 }
 /// The factor that it is.  @pre is_scale_factor() or is_integer()
 inline double scale_factor(const EvaluatedWord& word, const Profile& profile) {
   return is_scale_factor(word, profile) ? word.number
-                                        : nearest_integer(word.number) / profile.scale_counts;
+                                        : nearest_integer(word.number) / profile.scale.counts;
 }
 /// What it comes to.  @param by_axis  I, J or K: a factor below 0 mirrors
 MaybeWrong wrong_scale(double factor, bool by_axis);

@@ -100,7 +100,8 @@ MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
 
 /// 1730 to 1732: so that the acceleration to the centre is the same on every arc.
 /// Source: A-63512EN, page 9.
-double feed_on_arc(const Control& control, double feed_mm_min, double radius) {
+double feed_on_arc(const Control& control, double feed_mm_min, const Arc& arc,
+                   const Eigen::Vector2d& centre) {
   if (control.contour_control() != machine::ContourControl::FeedForward) {
     return feed_mm_min;
   }
@@ -110,6 +111,7 @@ double feed_on_arc(const Control& control, double feed_mm_min, double radius) {
     return feed_mm_min;
   }
   const double least = control.parameters.get(ParameterId::LeastArcFeed);
+  const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
   return std::min(feed_mm_min, std::max(least, most * std::sqrt(radius / of_radius)));
 }
 
@@ -134,8 +136,7 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   block.q_M_end = control.coordinates.work_to_path(arc.q_W_end);
   block.arc = shape_of(control, arc, centre);
   block.g = arc.turn == Turn::Clockwise ? 2 : 3;
-  const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
-  block.feed_mm_min = feed_on_arc(control, switched_feed(control, feed_mm_min), radius);
+  block.feed_mm_min = feed_on_arc(control, switched_feed(control, feed_mm_min), arc, centre);
   block.feed_at_contour = control.modal.inverse_time();
   block.where = control.block;
   block.ends = control.feed_end();

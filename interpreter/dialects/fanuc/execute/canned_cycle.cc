@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/codes.h"
+
 namespace g31::fanuc {
 namespace {
 
@@ -204,7 +206,7 @@ MaybeFailure Hole::leave() {
   if (auto failure = by_feed ? feed(data_.r) : rapid(data_.r)) {
     return failure;
   }
-  if (taps(cycle_)) {
+  if (cycle_.dwell == CannedCycle::Dwell::BottomAndR) {
     if (auto failure = dwell()) {
       return failure;
     }
@@ -224,8 +226,7 @@ void take_distances(const Control& control, const NcBlock& block, const Plane& p
     data.shrinking.reset();
     data.aside.reset();
     data.clear_after = profile.pecks_clear ? std::abs(length('K')) : 0.0;
-  } else if (find_canned_cycle(control.modal.group[Group::CannedCycle].whole)->shift ==
-             CannedCycle::Shift::Aside) {
+  } else if (cycle_in_force(control)->shift == CannedCycle::Shift::Aside) {
     if (profile.shifts_by_distances &&
         (block.words.has(plane.first_centre) || block.words.has(plane.second_centre))) {
       data.aside = {length(plane.first_centre), length(plane.second_centre)};
@@ -349,7 +350,7 @@ MaybeFailure drill_at(Control& control, const AxisPositions& q_L) {
   if (auto failure = position(control, q_L, plane)) {
     return failure;
   }
-  const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+  const CannedCycle& cycle = *cycle_in_force(control);
   return Hole(control, cycle, plane).drill();
 }
 
@@ -367,7 +368,7 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
   if (!repeats) {
     return repeats.error();
   }
-  const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+  const CannedCycle& cycle = *cycle_in_force(control);
   if (taps(cycle) && block.words.has('Q')) {
     control.warn_once(source::DiagnosticId::NotSimulated, block.where,
                       "Q of a tapping cycle (pecks of rigid tapping)");

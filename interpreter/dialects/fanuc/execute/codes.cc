@@ -182,9 +182,6 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
              : std::nullopt;
 }
 
-/// Those that take_plain_word() takes.
-constexpr std::uint32_t kPlainWords = letters_of("FDMSTH");
-
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
 MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, Codes& codes) {
   const auto refused = [&word] { return at_word(wrong_plain_word(word), word); };
@@ -341,12 +338,10 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (unit != control.scale.unit) {
     control.set_unit(unit);
   }
-  if (words.has_any(kPlainWords)) {
-    for (const EvaluatedWord& word : words.all()) {
-      if ((kPlainWords >> (word.letter - 'A') & 1U) != 0) {
-        if (auto failure = take_plain_word(control, word, codes)) {
-          return *std::move(failure);
-        }
+  for (const EvaluatedWord& word : words.all()) {
+    if (word.letter != 'G') {
+      if (auto failure = take_plain_word(control, word, codes)) {
+        return *std::move(failure);
       }
     }
   }

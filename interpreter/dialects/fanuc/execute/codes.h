@@ -33,6 +33,10 @@ bool commands_motion(const BlockWords& words, const Profile& profile);
 /// Modal codes, feed, S T M and the like of a block: everything that the rest of it builds on.
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words);
 
+/// nullptr: none.
+inline const CannedCycle* cycle_in_force(const Control& control) {
+  return find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+}
 inline bool in_canned_cycle(const Control& control) {
   return control.modal.group[Group::CannedCycle].whole != 80;
 }

@@ -35,7 +35,7 @@ double corner_size_mm(const Control& control, const EvaluatedWord& word) {
 
 /// Whether ,R says how a hole is tapped, and no radius.
 bool rounds_nothing(const Control& control) {
-  const CannedCycle* const cycle = find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
+  const CannedCycle* const cycle = cycle_in_force(control);
   return control.profile.has_synchronous_taps && cycle != nullptr && taps(*cycle);
 }
 

@@ -23,7 +23,7 @@ Result<Point, Failure> scale_factors(Control& control, const NcBlock& block) {
   constexpr char kAxisFactors[] = {'I', 'J', 'K'};
   const BlockWords& words = block.words;
   const bool has_axis_factor = words.has_any(letters_of({kAxisFactors, std::size(kAxisFactors)}));
-  const bool scales_named = control.profile.scales_named_axes;
+  const bool scales_named = control.profile.scale.of_named_axes;
   const bool by_axis =
       has_axis_factor && (scales_named || control.parameters.is_on(ParameterId::ScaleByAxis));
   if (has_axis_factor && !by_axis) {

@@ -51,9 +51,6 @@ Result<bool, Failure> WordCalls::call_by_g(const EvaluatedWord& word, bool every
     return has_called(macros_.set_modal(word));
   }
   const auto& macro_by_g = control_.code_calls.macro_by_g;
-  if (macro_by_g.empty()) {
-    return false;
-  }
   const int code = nearest_integer(word.number);
   const auto call = macro_by_g.find(code);
   if (call != macro_by_g.end() && word.number == code && may_call(CalledBy::GCode)) {

@@ -281,12 +281,11 @@ void Parser::expect_end(Block& block) {
 
 void Parser::words(Block& block) {
   block.kind = BlockKind::Nc;
+  block.is_plain = true;
   scanner_.plain_words(tree_.words);
-  block.is_plain = !word();
-  if (!block.is_plain) {
-    do {
-      scanner_.plain_words(tree_.words);
-    } while (word());
+  while (word()) {
+    block.is_plain = false;
+    scanner_.plain_words(tree_.words);
   }
   if (goes_on_) [[unlikely]] {
     statement_behind_words(block);

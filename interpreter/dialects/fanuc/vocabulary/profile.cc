@@ -69,6 +69,7 @@ constexpr Profile fanuc_30i() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.functions = FunctionLevel::Series30i;
+  profile.scale.takes_fractions = true;
   profile.names = {100, 999, 31};
   profile.largest_sequence = 99999999;
   profile.offset_limit_mm = 10000.0;
@@ -126,8 +127,7 @@ constexpr Profile meldas() {
   profile.has_synchronous_taps = true;
   profile.shifts_by_distances = true;
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
-  profile.scale_counts = 1e6;              // M700V programming manual, scaling
-  profile.scales_named_axes = true;
+  profile.scale = {1e6, true, true};       // M700V programming manual, scaling
   profile.bars_origins_in_rotation = false;
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
@@ -172,7 +172,7 @@ constexpr Profile haas() {
   profile.pecks_clear = true;
   profile.shifts_by_distances = true;  // the same manual, G76
   profile.bars_origins_in_rotation = false;
-  profile.scale_is_factor = true;  // mill operator's manual, G51: P2. and P2 are both twice
+  profile.scale = {1.0, true, false};  // mill operator's manual, G51: P2. and P2 are both twice
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;

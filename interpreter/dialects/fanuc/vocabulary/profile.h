@@ -125,6 +125,14 @@ struct InverseTime {
   bool stands_alone = false;
 };
 
+/// G51 (MB-299).
+struct ScaleRule {
+  double counts = 1000.0;  ///< a whole P, I, J or K is so many times the factor
+  bool takes_fractions =
+      false;                   ///< one with a point, or a computed one, is the factor; else refused
+  bool of_named_axes = false;  ///< of the centre alone, if there is one; I J K without a parameter
+};
+
 /// What G60 goes by.
 struct SingleDirectionRule {
   ParameterId way = ParameterId::SingleDirection;
@@ -205,9 +213,7 @@ struct Profile {
                               VariableGroup::LegacyOffsets, VariableGroup::LongOffsets,
                               VariableGroup::OffsetsC,      VariableGroup::ExternalOffset};
 
-  bool scale_is_factor = false;    ///< P of G51 is the factor, point or not; else it is counted
-  double scale_counts = 1000.0;    ///< of a factor of 1, in a whole number
-  bool scales_named_axes = false;  ///< G51 with a centre: no others, by I J K without a parameter
+  ScaleRule scale;
   /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
   bool bars_origins_in_rotation = true;
 
