@@ -133,7 +133,7 @@ machine::MaybeFault Outlet::carry_out(const Move& move, const PathBlock& block) 
   return std::nullopt;
 }
 
-machine::MaybeFault Outlet::move(const PathBlock& block, const OffsetPlane& plane) {
+[[gnu::hot]] machine::MaybeFault Outlet::move(const PathBlock& block, const OffsetPlane& plane) {
   begin_calls(block.calls > 0 ? block.calls : calls_now());
   const machine::MoveTag tag = tag_of(moves_, block.where);
   const machine::AxisTransformPtr& transform = block.of_axes ? kUnled

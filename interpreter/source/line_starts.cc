@@ -10,8 +10,8 @@ namespace g31::source {
 
 std::size_t line_ends_in(std::string_view text) {
   std::size_t count = 0;
-  // As many as a byte counts: so many are compared at a time as a register holds.
-  constexpr std::size_t kPiece = 255;
+  // No more than a byte counts, in whole registers: so many are compared at a time as one holds.
+  constexpr std::size_t kPiece = 240;
   for (; !text.empty(); text.remove_prefix(std::min(text.size(), kPiece))) {
     std::uint8_t in_piece = 0;
     for (const char c : text.substr(0, kPiece)) {

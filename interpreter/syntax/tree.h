@@ -74,6 +74,11 @@ inline constexpr char kChamferWord = 'Z' + 1;
 inline constexpr char kRoundingWord = 'Z' + 2;
 inline constexpr int kLetterCount = kRoundingWord - 'A' + 1;
 
+/// The bit that stands for an address among several.
+constexpr std::uint32_t letter_bit(char letter) {
+  return std::uint32_t{1} << (letter - 'A');
+}
+
 /// How an address is written.
 inline std::string letter_text(char letter) {
   return letter == kChamferWord ? ",C" : letter == kRoundingWord ? ",R" : std::string(1, letter);
@@ -113,6 +118,8 @@ struct Block {
   bool is_bare = false;        ///< IfThen without THEN, or without IF, too; Assign without a value
   bool goes_on = false;        ///< Nc: what the next one holds stands behind its words
   bool is_plain = false;       ///< Nc: its words are letters and written numbers, without `/`
+  std::uint8_t digits = 0;     ///< of plain words: a bound, no number has more of them
+  std::uint32_t letters = 0;   ///< of plain words: a bit for each address, A is the lowest
   std::int32_t sequence = -1;  ///< N number, -1: none
   std::int32_t number = 0;
   Index first_word = 0;

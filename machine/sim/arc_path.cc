@@ -23,7 +23,7 @@ double turn_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Turn
 
 }  // namespace
 
-ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
+[[gnu::hot]] ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
     : q_M_from_(q_M_from),
       q_M_to_(arc.q_M_end),
       displacement_(arc.q_M_end - q_M_from),
@@ -69,7 +69,7 @@ AxisPositions ArcPath::at(double fraction) const {
   return q_M;
 }
 
-AxisPositions ArcPath::slope_at(double fraction) const {
+[[gnu::hot]] AxisPositions ArcPath::slope_at(double fraction) const {
   const double outwards = radius_to_ - radius_from_;
   const double radius = radius_from_ + fraction * outwards;
   // Both ends are asked of each arc.

@@ -86,7 +86,8 @@ double AxisDynamics::jerk_along(double length, const AxisPositions& way) const {
   return slowest > 0.0 ? length / slowest : 0.0;
 }
 
-PathLimits AxisDynamics::limits(const StraightPath& path, const LinearMove& move) const {
+[[gnu::hot]] PathLimits AxisDynamics::limits(const StraightPath& path,
+                                             const LinearMove& move) const {
   G31_EXPECTS(path.moves());
   const AxisPositions way = path.displacement().cwiseAbs();
   const double fastest = path.length() / way.cwiseQuotient(rapid_per_s_).maxCoeff();
@@ -133,9 +134,9 @@ double AxisDynamics::jerk_on(const ArcPath& path, const AxisPositions& helix) co
   return std::isfinite(jerk) ? jerk : 0.0;
 }
 
-PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min,
-                                ContourControl contour_control,
-                                const Smoothness& smoothness) const {
+[[gnu::hot]] PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min,
+                                             ContourControl contour_control,
+                                             const Smoothness& smoothness) const {
   G31_EXPECTS(path.length() > 0.0);
   const int first = path.first_axis();
   const int second = path.second_axis();
@@ -162,7 +163,7 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
   return MotionProfile(path.length(), most.speed, most.acceleration, most.jerk);
 }
 
-PathLimits AxisDynamics::limits(const LedPath& path, const LinearMove& move) const {
+[[gnu::hot]] PathLimits AxisDynamics::limits(const LedPath& path, const LinearMove& move) const {
   G31_EXPECTS(path.length() > 0.0);
   const AxisPositions& most =
       accelerations(move.traverse == Traverse::Feed ? move.contour_control : ContourControl::Off);
@@ -192,8 +193,8 @@ PathLimits AxisDynamics::limits(const LedPath& path, const LinearMove& move) con
   return {speed, acceleration, limits_jerk ? jerk_along(1.0, steepest) : 0.0};
 }
 
-double AxisDynamics::corner_speed(const AxisPositions& along_before,
-                                  const AxisPositions& along_behind) const {
+[[gnu::hot]] double AxisDynamics::corner_speed(const AxisPositions& along_before,
+                                               const AxisPositions& along_behind) const {
   const AxisPositions change = (along_behind - along_before).cwiseAbs();
   double slowest = 0.0;
   for (Eigen::Index i = 0; i < change.size(); ++i) {

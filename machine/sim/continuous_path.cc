@@ -7,12 +7,12 @@
 
 namespace g31::machine {
 
-void ContinuousPath::add(const Move& move) {
+[[gnu::hot]] void ContinuousPath::add(const Move& move) {
   last_ = move;
   planner_.add(move.length, move.limits, move.corner_speed);
 }
 
-ContinuousPath::Passed ContinuousPath::release() {
+[[gnu::hot]] ContinuousPath::Passed ContinuousPath::release() {
   Passed passed = all_of(planner_.release());
   if (keeps_few_ && ways_.size() >= next_look_) {
     give_out_beginning(passed);
@@ -69,7 +69,7 @@ ContinuousPath::Passed ContinuousPath::all_of(std::span<const SpanMotion> spans)
   return passed;
 }
 
-void ContinuousPath::pass(const SpanMotion& span, double until_s, Passed& passed) {
+[[gnu::hot]] void ContinuousPath::pass(const SpanMotion& span, double until_s, Passed& passed) {
   passed.seconds += until_s;
   if (!keeps_ways_) {
     return;

@@ -35,14 +35,14 @@ LinearMove straight(const ArcMove& arc) {
 
 }  // namespace
 
-void MachiningCentre::expect_legal(const LinearMove& move) {
-  G31_EXPECTS(move.q_M_end.allFinite());
+[[gnu::hot]] void MachiningCentre::expect_legal(const LinearMove& move) {
+  G31_EXPECTS(all_finite(move.q_M_end));
   G31_EXPECTS(move.traverse == Traverse::Rapid ||
               (move.feed_mm_min > 0.0 && std::isfinite(move.feed_mm_min)));
 }
 
-void MachiningCentre::expect_legal(const ArcMove& arc) {
-  G31_EXPECTS(arc.q_M_end.allFinite());
+[[gnu::hot]] void MachiningCentre::expect_legal(const ArcMove& arc) {
+  G31_EXPECTS(all_finite(arc.q_M_end));
   G31_EXPECTS(std::isfinite(arc.centre_first) && std::isfinite(arc.centre_second));
   G31_EXPECTS(arc.feed_mm_min > 0.0 && std::isfinite(arc.feed_mm_min));
 }
@@ -61,14 +61,14 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       q_M_(setup.q_M_start),
       resolution_(resolutions(setup)),
       real_(setup) {
-  G31_EXPECTS(q_M_.allFinite());
+  G31_EXPECTS(all_finite(q_M_));
   axis_data_.stop_fine = AxisPositions::Constant(setup.in_position);
   axis_data_.stop_coarse = kCoarsePerFine * axis_data_.stop_fine;
   axis_data_.jerk_per_s3 = dynamics_.jerks();
   keep_what_follows();
 }
 
-Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move) {
+[[gnu::hot]] Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move) {
   expect_legal(move);
   if (!limits_.contain(move.q_M_end)) {
     return soft_limit_fault(move.q_M_end);
@@ -132,7 +132,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move_led(const LedPath& pat
   return q_M_;
 }
 
-Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
+[[gnu::hot]] Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   expect_legal(arc);
   if (const auto led = led_path(q_M_, arc)) {
     return led->length() < kFullCircleGapMm ? move(straight(arc)) : move_led(*led, straight(arc));

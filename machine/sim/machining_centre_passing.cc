@@ -95,8 +95,8 @@ MaybeFault MachiningCentre::keep_feed(const CommandedPath& path, const MotionPha
   return carry_out_really(real_.smoothed_motion(path, phases, !keeps_feed_), {Travel::Feed, ends});
 }
 
-double MachiningCentre::speed_at_corner(const ContinuousPath::Move& behind,
-                                        const AxisPositions& along_start) const {
+[[gnu::hot]] double MachiningCentre::speed_at_corner(const ContinuousPath::Move& behind,
+                                                     const AxisPositions& along_start) const {
   const ContinuousPath::Move& before = continuous_.last();
   const double speed = dynamics_.corner_speed(before.along_end, along_start);
   const double tolerance = std::min(before.corner_tolerance, behind.corner_tolerance);
@@ -159,7 +159,7 @@ std::optional<Obstacle> MachiningCentre::obstacle_in_passing(const Path& path,
   return std::move(obstacle->event);
 }
 
-void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
+[[gnu::hot]] void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
   if (!real_.follow_at_once()) {
     for (const Travelled& way : passed.ways) {
       travel_late(way);

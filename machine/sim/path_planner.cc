@@ -90,7 +90,7 @@ void append_ramp(MotionPhases& phases, double from, double to, const PathLimits&
 
 }  // namespace
 
-double reachable_speed(double speed, double length, const PathLimits& limits) {
+[[gnu::hot]] double reachable_speed(double speed, double length, const PathLimits& limits) {
   const double most = limits.speed;
   if (speed >= most || ramp_length(speed, most, limits) <= length) {
     return most;
@@ -114,7 +114,7 @@ double reachable_speed(double speed, double length, const PathLimits& limits) {
   return std::min(most, speed + s * s);
 }
 
-SpanMotion::SpanMotion(double length, const PathLimits& limits, double from, double to)
+[[gnu::hot]] SpanMotion::SpanMotion(double length, const PathLimits& limits, double from, double to)
     : length_(length), limits_(limits), from_(from), to_(to) {
   G31_EXPECTS(length > 0.0 && from >= 0.0 && to >= 0.0);
   if (from == 0.0 && to == 0.0) {
@@ -146,7 +146,7 @@ MotionPhases SpanMotion::phases() const {
   return phases;
 }
 
-void PathPlanner::add(double length, const PathLimits& limits, double corner_speed) {
+[[gnu::hot]] void PathPlanner::add(double length, const PathLimits& limits, double corner_speed) {
   G31_EXPECTS(length > 0.0 && corner_speed >= 0.0 && limits.speed > 0.0);
   duration_s_.reset();
   if (spans_.empty()) {
@@ -164,7 +164,7 @@ void PathPlanner::add(double length, const PathLimits& limits, double corner_spe
        std::min(allowed, reachable_speed(last.begin_speed, last.length, last.limits))});
 }
 
-std::size_t PathPlanner::settled() const {
+[[gnu::hot]] std::size_t PathPlanner::settled() const {
   double low = 0.0;
   double high = spans_.back().limits.speed;
   for (std::size_t i = spans_.size() - 1; i > 0; --i) {
@@ -178,7 +178,7 @@ std::size_t PathPlanner::settled() const {
   return 0;
 }
 
-void PathPlanner::plan(std::size_t count, double end_speed) const {
+[[gnu::hot]] void PathPlanner::plan(std::size_t count, double end_speed) const {
   speeds_.resize(count + 1);
   speeds_[count] = end_speed;
   for (std::size_t i = count; i > 0; --i) {
@@ -201,7 +201,7 @@ double PathPlanner::duration_s() const {
   return *duration_s_;
 }
 
-std::span<const SpanMotion> PathPlanner::release() {
+[[gnu::hot]] std::span<const SpanMotion> PathPlanner::release() {
   released_.clear();
   // Looking costs as much as a short block: every few spans will do, what is settled is the same.
   constexpr std::size_t kLeast = 8;
@@ -241,7 +241,7 @@ std::span<const SpanMotion> PathPlanner::finish() {
   return released_;
 }
 
-void PathPlanner::give_out(std::size_t count, double end_speed) {
+[[gnu::hot]] void PathPlanner::give_out(std::size_t count, double end_speed) {
   plan(count, end_speed);
   for (std::size_t i = 0; i < count; ++i) {
     const Span& span = spans_.front();

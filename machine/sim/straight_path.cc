@@ -33,8 +33,8 @@ double feed_length(const AxisPositions& d, double mm_per_degree) {
 
 }  // namespace
 
-StraightPath::StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to,
-                           double mm_per_degree)
+[[gnu::hot]] StraightPath::StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to,
+                                        double mm_per_degree)
     : q_M_from_(q_M_from),
       q_M_to_(q_M_to),
       displacement_(q_M_to - q_M_from),

@@ -119,6 +119,11 @@ inline AxisPositions with_two(const AxisPositions& q, int first, double at_first
   return with_one(with_one(q, first, at_first), second, at_second);
 }
 
+/// Whether no axis is at infinity or at no number, asked of all at once.
+inline bool all_finite(const AxisPositions& q) {
+  return (q - q).sum() == 0.0;
+}
+
 /// The storage index of an axis letter, or -1.
 constexpr int axis_index(char letter) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {

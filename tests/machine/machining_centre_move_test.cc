@@ -176,8 +176,8 @@ TEST(MachiningCentreDeathTest, NumbersThatNoCallerMayPass) {
   MachiningCentre centre(round_numbers(), nullptr);
   const double kNan = std::numeric_limits<double>::quiet_NaN();
   const double kInfinity = std::numeric_limits<double>::infinity();
-  testing::expect_violated([&] { (void)centre.move(rapid(axes(kNan, 0, 0))); }, "allFinite");
-  testing::expect_violated([&] { (void)centre.move(rapid(axes(0, kInfinity, 0))); }, "allFinite");
+  testing::expect_violated([&] { (void)centre.move(rapid(axes(kNan, 0, 0))); }, "all_finite");
+  testing::expect_violated([&] { (void)centre.move(rapid(axes(0, kInfinity, 0))); }, "all_finite");
   testing::expect_violated([&] { (void)centre.move(feed(axes(1, 0, 0), 0.0)); },
                            "feed_mm_min > 0.0");
   testing::expect_violated([&] { (void)centre.move(feed(axes(1, 0, 0), -1.0)); },
@@ -187,7 +187,7 @@ TEST(MachiningCentreDeathTest, NumbersThatNoCallerMayPass) {
   testing::expect_violated([&] { (void)centre.move_until_skip(feed(axes(1, 0, 0), 0.0)); },
                            "feed_mm_min > 0.0");
   testing::expect_violated([&] { (void)centre.move_until_skip(rapid(axes(0, 0, kNan))); },
-                           "allFinite");
+                           "all_finite");
   testing::expect_violated([&] { centre.dwell(-1.0); }, "seconds >= 0.0");
   testing::expect_violated([&] { centre.dwell(kInfinity); }, "isfinite");
 }

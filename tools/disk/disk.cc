@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -62,6 +61,25 @@ std::optional<std::string> read_to_end(int descriptor) {
     text.append(piece.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   }
   return std::nullopt;
+}
+
+/// What a file has there, at most so many bytes; nullopt where that fails.
+std::optional<std::string> read_from(int descriptor, std::uint64_t offset, std::size_t length) {
+  std::string part(length, '\0');
+  std::size_t done = 0;
+  while (done < length) {
+    const ssize_t count =
+        ::pread(descriptor, part.data() + done, length - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno != EINTR) {
+      return std::nullopt;
+    }
+    if (count == 0) {
+      break;  // the end of the file
+    }
+    done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  part.resize(done);
+  return part;
 }
 
 std::optional<std::string> read_pipe(const std::string& path) {
@@ -133,13 +151,12 @@ std::optional<std::string> Disk::read_part(const std::string& named, std::uint64
     return text && offset <= text->size() ? std::optional(text->substr(offset, length))
                                           : std::nullopt;
   }
-  std::ifstream in(path, std::ios::binary);
-  std::string part(length, '\0');
-  if (!in.seekg(static_cast<std::streamoff>(offset)) ||
-      (!in.read(part.data(), static_cast<std::streamsize>(length)) && !in.eof())) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) {
     return std::nullopt;
   }
-  part.resize(static_cast<std::size_t>(in.gcount()));
+  auto part = read_from(descriptor, offset, length);
+  ::close(descriptor);
   return part;
 }
 

@@ -75,6 +75,7 @@ WrongValue too_many_digits(std::uint8_t digits, int most);
 
 /// No address of any control takes more (MB-032); it keeps positions and times finite, too.
 inline constexpr double kLargestWord = 999'999'999.0;
+inline constexpr int kDigitsOfLargestWord = 9;
 
 /// Whether an address takes a number.
 /// @param digits  as written; 0: computed

@@ -130,8 +130,8 @@ FeedWay way_of(const Control& control, const Arc& arc, const Eigen::Vector2d& ce
 }
 
 /// Moves along the arc and tells the observer.
-MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d& centre,
-                        double feed_mm_min) {
+[[gnu::hot]] MaybeFailure move_along(Control& control, const Arc& arc,
+                                     const Eigen::Vector2d& centre, double feed_mm_min) {
   path::PathBlock block;
   block.q_M_end = control.coordinates.work_to_path(arc.q_W_end);
   block.arc = shape_of(control, arc, centre);
@@ -264,7 +264,7 @@ MaybeFailure refuse_turning_arc(const Control& control, const AxisPositions& q_L
 }  // namespace
 
 /// G02, G03 in the plane in force; a third axis makes a helix (MB-302 to MB-305).
-MaybeFailure execute_arc(Control& control, const NcBlock& block) {
+[[gnu::hot]] MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   const Plane plane = control.modal.plane();
   if (auto failure = refused_arc(control, block, plane)) {
     return failure;

@@ -143,7 +143,8 @@ bool moves_by_length(const Control& control, const NcBlock& block) {
 }
 
 /// What the words command when the modal codes and offsets are in force.
-MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_before) {
+[[gnu::hot]] MaybeFailure execute_words(Control& control, const NcBlock& block,
+                                        double feed_before) {
   if (block.code != nullptr) {
     auto failure = execute_action(control, block);
     const bool measures =
@@ -163,7 +164,8 @@ MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_b
 
 }  // namespace
 
-MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where) {
+[[gnu::hot]] MaybeFailure execute_block(Control& control, const BlockWords& words,
+                                        source::Location where) {
   control.block = where;
   if (control.data_input != DataInput::None) {
     return execute_data_block(control, words);

@@ -183,7 +183,8 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
 }
 
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
-MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word, Codes& codes) {
+[[gnu::hot]] MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word,
+                                          Codes& codes) {
   const auto refused = [&word] { return at_word(wrong_plain_word(word), word); };
   switch (word.letter) {  // outside it whether a number fits would be asked by letter again
     case 'F':
@@ -310,7 +311,7 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
   }
 }
 
-Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
+[[gnu::hot]] Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
     if (auto failure = refuse_repeats(words, control.profile)) {
       return *std::move(failure);

@@ -98,7 +98,10 @@ Result<double, Failure> cutter_radius(const Control& control);
 // What several of them share.
 
 /// The value of an axis word: mm, or deg of a rotary axis.
-double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis);
+inline double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
+  return is_linear_axis(static_cast<int>(axis)) ? control.scale.length_mm(word)
+                                                : control.scale.angle_deg(word);
+}
 
 /// The axis words of the block as they stand, absolute or incremental, on the present point (L).
 AxisPositions cartesian_end(const Control& control, const NcBlock& block);

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/execute/feed.h"
@@ -33,16 +35,24 @@ void take_polar_words(Control& control, const NcBlock& block, AxisPositions& q_L
   q_L_end[plane.second] = p_L.y();
 }
 
-/// Axis words of the block on the present point (L).
-AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
-  AxisPositions q_L_end = control.coordinates.programmed();
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      const int index = static_cast<int>(axis);
-      const double value = axis_value(control, *word, axis);
-      q_L_end = with_one(q_L_end, index, adds ? q_L_end[index] + value : value);
-    }
+/// The word of one axis, where the block has it.  Which one is known to the compiler: nothing is
+/// looked up for it when it runs.
+template <int axis>
+void take_axis(const Control& control, const BlockWords& words, bool adds, AxisPositions& q_L_end) {
+  constexpr std::size_t kIndex = axis;
+  if (const EvaluatedWord* const word = words.find(kAxisLetters[kIndex])) {
+    const double value = axis_value(control, *word, kIndex);
+    q_L_end = with_one(q_L_end, axis, adds ? q_L_end[axis] + value : value);
   }
+}
+
+/// Axis words of the block on the present point (L).
+[[gnu::hot]] AxisPositions end_of(const Control& control, const NcBlock& block, bool adds) {
+  AxisPositions q_L_end = control.coordinates.programmed();
+  [&]<int... axes>(std::integer_sequence<int, axes...>) {
+    (take_axis<axes>(control, block.words, adds, q_L_end), ...);
+  }
+  (std::make_integer_sequence<int, static_cast<int>(kAxisCount)>());
   return q_L_end;
 }
 
@@ -58,12 +68,7 @@ void take_roll_over(const Control& control, const NcBlock& block, AxisPositions&
 
 }  // namespace
 
-double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
-  return is_linear_axis(static_cast<int>(axis)) ? control.scale.length_mm(word)
-                                                : control.scale.angle_deg(word);
-}
-
-AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
+[[gnu::hot]] AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
   const bool adds = control.modal.incremental();
   AxisPositions q_L_end = end_of(control, block, adds);
   if (!adds && control.roll_over.is_on()) {
@@ -76,7 +81,7 @@ AxisPositions named_point(const Control& control, const NcBlock& block) {
   return end_of(control, block, false);
 }
 
-AxisPositions programmed_end(Control& control, const NcBlock& block) {
+[[gnu::hot]] AxisPositions programmed_end(Control& control, const NcBlock& block) {
   AxisPositions q_L_end = cartesian_end(control, block);
   if (control.polar) {
     const AxisPositions& q_L = control.coordinates.programmed();
@@ -113,8 +118,8 @@ void take_tip_feed(const Control& control, path::PathBlock& block) {
 }
 
 /// @param feed_mm_min  in force
-path::PathBlock feed_block(const Control& control, const AxisPositions& q_B_end, int g,
-                           double feed_mm_min) {
+[[gnu::hot]] path::PathBlock feed_block(const Control& control, const AxisPositions& q_B_end, int g,
+                                        double feed_mm_min) {
   path::PathBlock block;
   block.q_M_end = q_B_end;
   block.g = g;
@@ -129,12 +134,13 @@ path::PathBlock feed_block(const Control& control, const AxisPositions& q_B_end,
   return block;
 }
 
-MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g) {
+[[gnu::hot]] MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g) {
   const auto feed = feed_over(control, [&] { return straight_way(control, q_B_end); });
   return feed ? line_to(control, q_B_end, g, feed.value()) : MaybeFailure(feed.error());
 }
 
-MaybeFailure line_to(Control& control, const AxisPositions& q_B_end, int g, double feed_mm_min) {
+[[gnu::hot]] MaybeFailure line_to(Control& control, const AxisPositions& q_B_end, int g,
+                                  double feed_mm_min) {
   const path::PathBlock block = feed_block(control, q_B_end, g, feed_mm_min);
   if (MaybeFailure failure = is_led_too_fast(control, block)) {
     return failure;
@@ -186,7 +192,7 @@ bool turns_in_plane(const Control& control, const AxisPositions& q_L_end) {
 
 }  // namespace
 
-MaybeFailure execute_motion(Control& control, const NcBlock& block) {
+[[gnu::hot]] MaybeFailure execute_motion(Control& control, const NcBlock& block) {
   const int g = control.modal.group[Group::Motion].whole;
   const bool positions = control.positions_in_one_direction();
   if (control.modal.cuts_thread() && !positions) {

@@ -26,7 +26,7 @@ NcBlocks::NcBlocks(CallStack& stack, Control& control, CalledPrograms& programs,
       macros_(control, running_, programs, arguments_, levels_),
       calls_(stack, control, running_, macros_, subprograms_) {}
 
-MaybeFailure NcBlocks::run(const Step& step) {
+[[gnu::hot]] MaybeFailure NcBlocks::run(const Step& step) {
   if (const auto halt = control_.watch.before_work()) {
     return halt_failure(*halt);
   }
@@ -48,7 +48,7 @@ MaybeFailure NcBlocks::run(const Step& step) {
 }
 
 /// A block that calls nothing; its motion may set off a modal call.
-MaybeFailure NcBlocks::plain_block(source::Location where) {
+[[gnu::hot]] MaybeFailure NcBlocks::plain_block(source::Location where) {
   if (auto failure = execute_words(control_, running_.words(), where)) {
     return failure;
   }

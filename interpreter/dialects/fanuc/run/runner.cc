@@ -40,7 +40,7 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
 
 /// Statements that touch nothing but variables: the hot loop of a macro program.
 /// @returns whether the step was one of them; the evaluator knows of a fault
-bool Runner::fast_step(const Step& step, Frame& now) {
+[[gnu::hot]] bool Runner::fast_step(const Step& step, Frame& now) {
   Evaluator& evaluator = control_.evaluator;
   switch (step.kind) {
     case BlockKind::Empty:
@@ -91,7 +91,7 @@ bool Runner::fast_step(const Step& step, Frame& now) {
   return false;
 }
 
-MaybeFailure Runner::loop() {
+[[gnu::hot]] MaybeFailure Runner::loop() {
   while (!stack_.has_ended()) {
     Frame& now = stack_.frame();
     if (now.step >= now.program->steps.size()) {
@@ -157,7 +157,7 @@ runtime::BlockPlace Runner::next_place() const {
   return place;
 }
 
-MaybeFailure Runner::rare_step(const Step& step) {
+[[gnu::hot]] MaybeFailure Runner::rare_step(const Step& step) {
   switch (step.kind) {
     case BlockKind::Nc:
       return blocks_.run(step);

@@ -1,5 +1,6 @@
 #include "interpreter/dialects/fanuc/run/running_words.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,13 +21,13 @@ bool is_dwell(const BlockWords& words) {
 
 }  // namespace
 
-MaybeFailure RunningWords::read(const Step& step) {
+[[gnu::hot]] MaybeFailure RunningWords::read(const Step& step) {
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[step.block];
   words_.clear();
   readings_.clear();
   const std::span all = std::span(program.tree->words).subspan(block.first_word, block.word_count);
-  if (auto failure = block.is_plain ? read_plain(all) : read_all(program, all)) {
+  if (auto failure = block.is_plain ? read_plain(block, all) : read_all(program, all)) {
     return failure;
   }
   if (block.sequence >= 0) {
@@ -37,14 +38,17 @@ MaybeFailure RunningWords::read(const Step& step) {
 }
 
 /// Of a block in which nothing is to be worked out.
-MaybeFailure RunningWords::read_plain(std::span<const syntax::Word> words) {
+MaybeFailure RunningWords::read_plain(const syntax::Block& block,
+                                      std::span<const syntax::Word> words) {
   const int most = control_.profile.word_digit_limit;
-  for (const syntax::Word& word : words) {
-    if (!fits_address(word.number, word.digits, most)) [[unlikely]] {
-      return at_word(wrong_word(word.letter, word.number, word.digits, most), word);
+  if (block.digits > std::min(most, kDigitsOfLargestWord)) [[unlikely]] {
+    for (const syntax::Word& word : words) {
+      if (!fits_address(word.number, word.digits, most)) {
+        return at_word(wrong_word(word.letter, word.number, word.digits, most), word);
+      }
     }
   }
-  words_.show(words);
+  words_.show(words, block.letters);
   return std::nullopt;
 }
 
@@ -95,7 +99,8 @@ bool RunningWords::skips_rest(const syntax::Word& word) {
   return control_.block_skip.contains(static_cast<int>(word.number));
 }
 
-MaybeFailure execute_words(Control& control, const BlockWords& words, source::Location where) {
+[[gnu::hot]] MaybeFailure execute_words(Control& control, const BlockWords& words,
+                                        source::Location where) {
   if (auto failure = execute_block(control, words, where)) {
     return failure;
   }

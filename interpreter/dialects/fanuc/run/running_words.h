@@ -26,7 +26,7 @@ class RunningWords {
   [[nodiscard]] const Readings& readings() const { return readings_; }
 
  private:
-  MaybeFailure read_plain(std::span<const syntax::Word> words);
+  MaybeFailure read_plain(const syntax::Block& block, std::span<const syntax::Word> words);
   MaybeFailure read_all(const CompiledProgram& program, std::span<const syntax::Word> words);
   bool skips_rest(const syntax::Word& word);
   [[nodiscard]] const Frame& frame() const { return stack_.frame(); }

@@ -17,12 +17,13 @@ Result<bool, Failure> has_called(MaybeFailure failure) {
 
 }  // namespace
 
-Result<bool, Failure> WordCalls::call_in_block() {
+[[gnu::hot]] Result<bool, Failure> WordCalls::call_in_block() {
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
   const std::uint32_t letters = every_block ? letters_of("G") : control_.code_calls.letters;
   const bool codes_call = every_block || !control_.code_calls.macro_by_g.empty();
-  for (const EvaluatedWord& word : words_.all()) {
+  const auto words = words_.has_any(letters) ? words_.all() : std::span<const EvaluatedWord>();
+  for (const EvaluatedWord& word : words) {
     if ((letters >> (word.letter - 'A') & 1U) == 0 ||
         (word.letter == 'G' && word.number < kFirstCall && !codes_call)) {
       continue;
@@ -37,7 +38,8 @@ Result<bool, Failure> WordCalls::call_in_block() {
   return every_block ? has_called(macros_.every_block_call()) : false;
 }
 
-Result<bool, Failure> WordCalls::call_by_g(const EvaluatedWord& word, bool every_block) {
+[[gnu::hot]] Result<bool, Failure> WordCalls::call_by_g(const EvaluatedWord& word,
+                                                        bool every_block) {
   if (word.number == 67.0) {
     return has_called(macros_.cancel_modal(word));
   }

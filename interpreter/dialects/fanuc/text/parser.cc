@@ -47,7 +47,7 @@ bool Parser::at_folder() const {
   return scanner_.text().substr(scanner_.position()).starts_with(kFolder);
 }
 
-void Parser::block() {
+[[gnu::hot]] void Parser::block() {
   const char first = scanner_.peek();
   if ((first == '\n' && tree_.programs.empty()) || (first == '&' && at_folder())) {
     return;
@@ -66,8 +66,27 @@ void Parser::block() {
   settle(block, begin);
 }
 
+/// A block that begins as nearly every block of a long program does: nothing that block() looks
+/// for before it reads words is there.
+/// @returns false: it begins otherwise, and nothing is stepped over
+bool Parser::plain_block() {
+  const std::uint32_t begin = scanner_.position();
+  Block block;
+  if (tree_.programs.empty() || !scanner_.begins_plainly(block.sequence)) {
+    return false;
+  }
+  if (at_punched_variable()) {
+    scanner_.rewind(begin);
+    return false;
+  }
+  block.first_word = static_cast<Index>(tree_.words.size());
+  words(block);
+  settle(block, begin);
+  return true;
+}
+
 /// Gives the block its span and its error, and appends it (an IF THEN goes before its statement).
-void Parser::settle(Block& block, std::uint32_t begin) {
+[[gnu::hot]] void Parser::settle(Block& block, std::uint32_t begin) {
   const std::uint32_t end = scanner_.position();
   if (failed()) {
     block.kind = BlockKind::Bad;
@@ -83,7 +102,7 @@ void Parser::settle(Block& block, std::uint32_t begin) {
   settled.word_count = static_cast<Index>(tree_.words.size()) - settled.first_word;
 }
 
-bool Parser::program_number(Block& block) {
+[[gnu::hot]] bool Parser::program_number(Block& block) {
   const char next = scanner_.peek();
   if (next == '<') {
     return program_name(block);
@@ -145,7 +164,7 @@ bool Parser::called_name() {
 }
 
 /// @returns -1 after a failure: an optional would wait for its parts
-std::int32_t Parser::integer(const char* what) {
+[[gnu::hot]] std::int32_t Parser::integer(const char* what) {
   if (const std::int32_t plain = scanner_.plain_integer(); plain >= 0) {
     return plain;
   }
@@ -172,7 +191,7 @@ std::uint8_t Parser::switch_number() {
 }
 
 /// `/n` and `N..` in either order.
-void Parser::head(Block& block) {
+[[gnu::hot]] void Parser::head(Block& block) {
   for (;;) {
     if (scanner_.accept('/')) {
       block.skip_switch = switch_number();
@@ -189,7 +208,7 @@ void Parser::head(Block& block) {
   }
 }
 
-void Parser::body(Block& block) {
+[[gnu::hot]] void Parser::body(Block& block) {
   if (failed()) {
     return;
   }
@@ -279,11 +298,13 @@ void Parser::expect_end(Block& block) {
   block.kind = BlockKind::Bad;
 }
 
-void Parser::words(Block& block) {
+[[gnu::hot]] void Parser::words(Block& block) {
   block.kind = BlockKind::Nc;
   block.is_plain = true;
-  scanner_.plain_words(tree_.words);
-  while (word()) {
+  const PlainWords plain = scanner_.plain_words(tree_.words);
+  block.letters = plain.letters;
+  block.digits = static_cast<std::uint8_t>(plain.digits);
+  while (!scanner_.at_line_end() && word()) {
     block.is_plain = false;
     scanner_.plain_words(tree_.words);
   }

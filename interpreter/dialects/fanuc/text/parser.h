@@ -23,8 +23,13 @@ class Parser {
     } else {
       open_program(0, {});
     }
-    while (!scanner_.at_end_of_text() && !scanner_.at_tape_end()) {
-      block();
+    while (!scanner_.at_end_of_text()) {
+      if (!plain_block()) {
+        if (scanner_.at_tape_end()) {
+          break;
+        }
+        block();
+      }
       scanner_.skip_block();
     }
     close_program();
@@ -42,6 +47,7 @@ class Parser {
     tree_.words.reserve(scanner_.text().size() / 5);
   }
   void block();
+  bool plain_block();
   bool program_number(syntax::Block& block);
   bool program_name(syntax::Block& block);
   syntax::ShortSpan name_in_angles();

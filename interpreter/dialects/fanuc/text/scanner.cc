@@ -81,7 +81,7 @@ std::string digit_count(std::uint8_t digits) {
   return fmt::format("{} digits{}", digits, digits == 255 ? " or more" : "");
 }
 
-char Scanner::peek_behind_blanks() {
+[[gnu::hot]] char Scanner::peek_behind_blanks() {
   while (at_ < text_.size()) {
     const char c = text_[at_];
     if (counts_for_nothing(c)) {
@@ -141,12 +141,12 @@ void Scanner::skip_leader() {
   comment_ = {};
 }
 
-bool Scanner::at_tape_end() const {
+[[gnu::hot]] bool Scanner::at_tape_end() const {
   const std::size_t next = first_that_counts(text_, at_);
   return next < text_.size() && text_[next] == '%';
 }
 
-void Scanner::skip_block() {
+void Scanner::skip_rest_of_block() {
   comment_ = {};
   while (peek() != '\n') {
     step();
@@ -206,7 +206,7 @@ std::optional<ScannedNumber> Scanner::number() {
       static_cast<std::uint8_t>(std::min(decimals, 255)), has_point);
 }
 
-std::int32_t Scanner::plain_integer() {
+[[gnu::hot]] std::int32_t Scanner::plain_integer() {
   constexpr std::size_t kMostDigits = 8;
   if (at_ + kWordRoom > text_.size()) {
     return -1;
@@ -222,11 +222,35 @@ std::int32_t Scanner::plain_integer() {
   return static_cast<std::int32_t>(number);
 }
 
-void Scanner::plain_words(std::vector<syntax::Word>& words) {
+bool Scanner::begins_plainly(std::int32_t& sequence) {
+  const std::size_t begin = at_;
+  if (at_ + kWordRoom <= text_.size() && kShown[static_cast<unsigned char>(text_[at_])] == 'N') {
+    ++at_;
+    if (const std::int32_t number = plain_integer(); number >= 0) {
+      sequence = number;
+    } else {
+      at_ = begin;
+      return false;
+    }
+  }
+  if (at_ + kWordRoom <= text_.size()) {
+    const char letter = kShown[static_cast<unsigned char>(text_[at_])];
+    const char next = text_[at_ + 1];
+    if (is_letter(letter) && letter != 'O' && (is_digit(next) || next == '-' || next == '.')) {
+      return true;
+    }
+  }
+  at_ = begin;
+  return false;
+}
+
+[[gnu::hot]] PlainWords Scanner::plain_words(std::vector<syntax::Word>& words) {
   constexpr double kSigns[] = {1.0, -1.0};
-  std::size_t at = at_;  // what is looked at is kept out of memory
-  while (at + kWordRoom <= text_.size()) {
-    const char* const text = text_.data() + at;
+  PlainWords all;
+  const std::string_view whole = text_;  // what is looked at is kept out of memory
+  std::size_t at = at_;
+  while (at + kWordRoom <= whole.size()) {
+    const char* const text = whole.data() + at;
     const char letter = kShown[static_cast<unsigned char>(*text)];
     if (!is_letter(letter)) {
       break;
@@ -250,6 +274,8 @@ void Scanner::plain_words(std::vector<syntax::Word>& words) {
     }
     const double value = syntax::decimal(mantissa, static_cast<int>(decimals));
     syntax::Word& word = words.emplace_back();  // a copy would wait for its parts
+    all.letters |= syntax::letter_bit(letter);
+    all.digits |= static_cast<std::uint32_t>(digits);
     word.letter = letter;
     word.form = has_point ? syntax::ValueForm::Decimal : syntax::ValueForm::Integer;
     word.digits = static_cast<std::uint8_t>(digits);
@@ -259,6 +285,7 @@ void Scanner::plain_words(std::vector<syntax::Word>& words) {
     at += end;
   }
   at_ = at;
+  return all;
 }
 
 char Scanner::corner_address() {

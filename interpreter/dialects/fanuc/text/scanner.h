@@ -65,6 +65,12 @@ std::string_view letter_o_hint(char next);
 /// For messages: how many digits ScannedNumber::digits counted.
 std::string digit_count(std::uint8_t digits);
 
+/// What plain words have in common.
+struct PlainWords {
+  std::uint32_t letters = 0;  ///< a bit for each address, A is the lowest
+  std::uint32_t digits = 0;   ///< all counts of digits in one (or): no count is larger
+};
+
 /// A cursor over the text of one file, one block at a time: a line, or what a `;` ends, as manuals
 /// print the end of a block.  Blanks, tabs, CR and NUL count
 /// for nothing outside comments (MB-008), comments are stepped over and remembered.
@@ -110,8 +116,17 @@ class Scanner {
   void skip_leader();
   /// Whether a block would begin with %, which ends the tape.
   [[nodiscard]] bool at_tape_end() const;
+  /// Whether the end of the line is next, without anything before it.
+  [[nodiscard]] bool at_line_end() const { return at_ < text_.size() && text_[at_] == '\n'; }
   /// Steps over the rest of the block and its end, unless the tape ends.
-  void skip_block();
+  void skip_block() {
+    if (at_line_end()) [[likely]] {
+      comment_ = {};
+      ++at_;
+    } else {
+      skip_rest_of_block();
+    }
+  }
   /// Moves back to a place that position() gave.
   void rewind(std::uint32_t position) { at_ = position; }
 
@@ -121,7 +136,12 @@ class Scanner {
   /// Steps over words as nearly every block of a long program has them, and appends them: an
   /// address and its number without anything between them, one blank behind them at most, numbers
   /// that are exact, and some text behind them.  It ends before the first one that is otherwise.
-  void plain_words(std::vector<syntax::Word>& words);
+  PlainWords plain_words(std::vector<syntax::Word>& words);
+
+  /// Whether a block begins, perhaps behind N and its number, which are stepped over then, with a
+  /// word that plain_words() may read and that is no O.
+  /// @param sequence  the number behind N; it stays as it is where there is none
+  bool begins_plainly(std::int32_t& sequence);
 
   /// Steps over a whole number of eight digits at most that ends its word as plain_words() has it.
   /// @returns -1: there is none, and nothing is stepped over
@@ -146,6 +166,7 @@ class Scanner {
 
  private:
   char peek_behind_blanks();
+  void skip_rest_of_block();
   char corner_address();
   [[nodiscard]] bool ends_tape(std::size_t percent) const;
   bool number_goes_on(bool has_point);

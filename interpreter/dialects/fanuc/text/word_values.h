@@ -1,13 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/syntax/tree.h"
+#include "machine/base/rounding.h"
 #include "machine/units/length_unit.h"
 
 namespace g31::fanuc {
@@ -29,7 +34,7 @@ constexpr bool calls_program(const syntax::Word& word) {
 constexpr std::uint32_t letters_of(std::string_view letters) {
   std::uint32_t bits = 0;
   for (const char letter : letters) {
-    bits |= std::uint32_t{1} << (letter - 'A');
+    bits |= syntax::letter_bit(letter);
   }
   return bits;
 }
@@ -48,8 +53,9 @@ class BlockWords {
   [[nodiscard]] int sequence() const { return sequence_; }
   void add(const EvaluatedWord& word) { add(word, word.number); }
   /// These words and no others, which stay where they are: they must outlive the block.
-  void show(std::span<const EvaluatedWord> words) {
-    present_ = 0;
+  /// @param letters  a bit for each of their addresses
+  void show(std::span<const EvaluatedWord> words, std::uint32_t letters) {
+    present_ = letters;
     shown_ = words;
     for (std::size_t place = 0; place < words.size(); ++place) {
       note(words[place].letter, place);
@@ -58,6 +64,7 @@ class BlockWords {
   /// A word as the program has it, with the value worked out.
   void add(const syntax::Word& word, double number) {
     note(word.letter, words_.size());
+    present_ |= syntax::letter_bit(word.letter);
     words_.push_back(word);
     words_.back().number = number;
   }
@@ -73,7 +80,6 @@ class BlockWords {
  private:
   void note(char letter, std::size_t place) {
     last_[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint16_t>(place);
-    present_ |= 1U << (letter - 'A');
   }
 
   std::vector<EvaluatedWord> words_;
@@ -82,6 +88,27 @@ class BlockWords {
   std::uint32_t present_ = 0;
   int sequence_ = -1;
 };
+
+namespace detail {
+
+inline constexpr double kPlainPowers[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5};
+
+/// Whether a number of so many decimals is on the grid of 1/counts, a power of ten.
+inline bool is_on_grid(std::size_t decimals, double counts) {
+  return decimals < std::size(kPlainPowers) && kPlainPowers[decimals] <= counts;
+}
+
+/// How far a decimal fraction may stand off its count: a few ulp of the scaled number.
+inline double guard(double scaled) {
+  return std::max(1.0, std::abs(scaled)) * 8.0 * std::numeric_limits<double>::epsilon();
+}
+
+/// A little farther from zero, by the guard.
+inline double guarded(double scaled) {
+  return scaled + std::copysign(guard(scaled), scaled);
+}
+
+}  // namespace detail
 
 /// How the control reads the number of a word: least increment, decimal point, unit in force.
 struct WordScale {
@@ -118,7 +145,19 @@ struct WordScale {
   bool operator==(const WordScale&) const = default;
 
  private:
-  [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const;
+  [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const {
+    // Of plain words nearly all: the rest need not be where these are read.
+    return word.form == syntax::ValueForm::Decimal ? scaled_decimal(word, counts)
+                                                   : scaled_other(word, counts);
+  }
+  [[nodiscard]] double scaled_decimal(const EvaluatedWord& word, double counts) const {
+    if (detail::is_on_grid(word.decimals, counts)) {
+      return word.number;
+    }
+    const double far = detail::guarded(word.number * counts);
+    return (excess_decimals == ExcessDecimals::Round ? rounded(far) : truncated(far)) / counts;
+  }
+  [[nodiscard]] double scaled_other(const EvaluatedWord& word, double counts) const;
 };
 
 /// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a

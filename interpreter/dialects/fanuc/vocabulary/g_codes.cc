@@ -64,13 +64,13 @@ std::span<const GCode> g_codes() {
   return kGCodeRows;
 }
 
-const GCode* find_g_code(GNumber number, CodeSet own) {
+[[gnu::hot]] const GCode* find_g_code(GNumber number, CodeSet own) {
   const std::size_t place = key(number);
   const auto& index = kIndex[static_cast<std::size_t>(own)];
   return place < kKeys && index[place] != 0 ? &kGCodeRows[index[place] - 1] : nullptr;
 }
 
-const GCode* find_g_code(double value, CodeSet own) {
+[[gnu::hot]] const GCode* find_g_code(double value, CodeSet own) {
   const auto plain = static_cast<std::int16_t>(value >= 0.0 && value < 1000.0 ? value : 0.0);
   if (plain == value) {
     return find_g_code(GNumber{plain, 0}, own);

@@ -35,6 +35,7 @@ consteval bool parameters_rise() {
   }
   return true;
 }
+static_assert(kParameterRows.size() == kParameterCount);
 static_assert(parameters_rise(), "parameters.def: rows must rise");
 
 }  // namespace
@@ -92,15 +93,9 @@ Result<Parameters, std::string> Parameters::from(const std::map<std::string, dou
     if (*after.ptr != '.' || last.ptr != end || last.ec != std::errc() || bit < 0 || bit > 7) {
       return name;
     }
-    parameters.bits_[{number, bit}] = value != 0.0;
+    parameters.set_bit(number, bit, value != 0.0);
   }
   return parameters;
-}
-
-bool Parameters::is_on(ParameterId id) const {
-  const ParameterInfo& row = info(id);
-  G31_EXPECTS(row.bit.has_value());
-  return bit(row.first, *row.bit);
 }
 
 bool Parameters::is_on_for_axis(ParameterId id, int axis) const {
@@ -189,6 +184,15 @@ double Parameters::value(int number, double otherwise) const {
 bool Parameters::bit(int number, int bit) const {
   const auto found = bits_.find({number, bit});
   return found != bits_.end() && found->second;
+}
+
+void Parameters::set_bit(int number, int bit, bool on) {
+  bits_[{number, bit}] = on;
+  for (std::size_t i = 0; i < kParameterRows.size(); ++i) {
+    if (kParameterRows[i].first == number && kParameterRows[i].bit == bit) {
+      on_[i] = on;
+    }
+  }
 }
 
 void Parameters::set_value(int number, double value) {

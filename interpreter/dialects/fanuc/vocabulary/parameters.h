@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bitset>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
@@ -20,6 +22,17 @@ enum class ParameterId {
 #undef VALUE_PARAMETER
 #undef BIT_PARAMETER
 };
+
+/// How many rows parameters.def has.
+inline constexpr std::size_t kParameterCount = 0
+#define BIT_PARAMETER(name, number, bit, text) +1
+#define VALUE_PARAMETER(name, first, last, unit, initial, text) +1
+#define IDLE_PARAMETER(name, first, last, unit, text) +1
+#include "interpreter/dialects/fanuc/vocabulary/parameters.def"
+#undef IDLE_PARAMETER
+#undef VALUE_PARAMETER
+#undef BIT_PARAMETER
+    ;
 
 /// One row of parameters.def.
 struct ParameterInfo {
@@ -58,7 +71,8 @@ class Parameters {
   /// @returns the parameters, or the name that is neither
   static Result<Parameters, std::string> from(const std::map<std::string, double>& entries);
 
-  [[nodiscard]] bool is_on(ParameterId id) const;
+  /// A bit; of a row that is none it is off.
+  [[nodiscard]] bool is_on(ParameterId id) const { return on_[static_cast<std::size_t>(id)]; }
   /// Of one axis, where that has digits of its own.  @param axis  storage index
   [[nodiscard]] bool is_on_for_axis(ParameterId id, int axis) const;
   /// @param index  which of the row's numbers, from 0
@@ -88,13 +102,14 @@ class Parameters {
   /// What G10 L50 writes: where the number is one of bits, the digits are bits 7 to 0.
   /// @returns whether the control takes such a value
   [[nodiscard]] bool enter(int number, double value);
-  void set_bit(int number, int bit, bool on) { bits_[{number, bit}] = on; }
+  void set_bit(int number, int bit, bool on);
 
   bool operator==(const Parameters&) const = default;
 
  private:
   std::map<int, double> values_;
   std::map<std::pair<int, int>, bool> bits_;
+  std::bitset<kParameterCount> on_;  ///< of bits_ those that have a row: each block asks for some
   std::map<std::pair<int, int>, double> axis_values_;
 };
 

@@ -287,7 +287,7 @@ const GCode* find_g_code(GNumber number, const Profile& profile) {
   return unless_missing(find_g_code(number, profile.own_g_codes), profile);
 }
 
-const GCode* find_g_code(double value, const Profile& profile) {
+[[gnu::hot]] const GCode* find_g_code(double value, const Profile& profile) {
   return unless_missing(find_g_code(value, profile.own_g_codes), profile);
 }
 
