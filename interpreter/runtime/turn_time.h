@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace g31::runtime {
 
 /// Minutes that a turn of the spindle takes at constant surface speed, by the distance x from the
@@ -24,5 +28,23 @@ class TurnTime {
   double least_;
   double most_;
 };
+
+/// Over an arc: in chords, and in halves of them, which say what is left between chord and arc.
+/// @param x_at  the distance after a share of the way, 0 to 1
+template <typename Place>
+double mean_over_arc(const TurnTime& time, double sweep_rad, const Place& x_at) {
+  constexpr double kChordRad = std::numbers::pi / 360.0;
+  const int chords = std::max(1, static_cast<int>(std::ceil(sweep_rad / kChordRad)));
+  double sum = 0.0;
+  double from = x_at(0.0);
+  for (int i = 1; i <= chords; ++i) {
+    const double between = x_at((i - 0.5) / chords);
+    const double to = x_at(static_cast<double>(i) / chords);
+    const double in_halves = (time.mean(from, between) + time.mean(between, to)) / 2.0;
+    sum += in_halves + (in_halves - time.mean(from, to)) / 3.0;
+    from = to;
+  }
+  return sum / chords;
+}
 
 }  // namespace g31::runtime

@@ -31,8 +31,9 @@ without a word: what they say has nothing to act on here.
 * Nobody is there: what waits for an operator goes on (stops are listed), or ends the run: on a SINUMERIK where it waits
   again and again (PRB604), else by the limit of blocks (PRB601).  Inputs come from `[[input]]`, keys that M109 of a Haas
   asks for from `control.keys` (PRB607).
-* Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  A thread
-  (G33) begins at once, wherever the spindle stands.
+* Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  Where a
+  chamfer or a rounding cuts the way, that is the mean of the whole.  A thread (G33) begins at once, wherever the spindle
+  stands.
 * A Fanuc tapping cycle (G74, G84) goes in and out once, whatever its Q: pecks of rigid tapping are passed over (PRB304).
 * There is one channel: programs of several channels wait for nobody.
 * A Fanuc main program of more than 1 MiB is read while it runs: a block that cannot be understood ends the run where it

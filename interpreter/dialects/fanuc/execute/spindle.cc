@@ -35,9 +35,7 @@ double place_of(const Control& control, const AxisPositions& q_B) {
   return control.coordinates.path_to_work(q_B)[control.spindle.axis];
 }
 
-/// Over an arc, in chords.
 double mean_over_arc(const Control& control, const FeedWay& way, const runtime::TurnTime& time) {
-  constexpr double kChordRad = std::numbers::pi / 720.0;
   const path::OffsetPlane axes = offset_plane(control);
   const path::PlaneWay flat = flat_way(control, way);
   const double sweep = path::sweep_rad(flat);
@@ -45,20 +43,13 @@ double mean_over_arc(const Control& control, const FeedWay& way, const runtime::
   const path::PlanePoint from = flat.from - flat.arc->centre;
   const double growth =
       from.norm() > 0.0 ? (flat.to - flat.arc->centre).norm() / from.norm() - 1.0 : 0.0;
-  const int chords = std::max(1, static_cast<int>(std::ceil(sweep / kChordRad)));
-  double sum = 0.0;
-  double x = place_of(control, way.q_from);
-  for (int i = 1; i <= chords; ++i) {
-    const double fraction = static_cast<double>(i) / chords;
+  return runtime::mean_over_arc(time, sweep, [&](double fraction) {
     const Eigen::Rotation2Dd turned(fraction * turn);
     const AxisPositions q_B =
         axes.moved(way.q_from + fraction * (way.q_end - way.q_from),
                    flat.arc->centre + (1.0 + fraction * growth) * (turned * from));
-    const double next = place_of(control, q_B);
-    sum += time.mean(x, next);
-    x = next;
-  }
-  return sum / chords;
+    return place_of(control, q_B);
+  });
 }
 
 }  // namespace

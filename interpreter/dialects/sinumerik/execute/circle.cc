@@ -42,8 +42,12 @@ AxisPositions along(const Job& job, double fraction) {
   return job.q_W_start + fraction * (job.q_W_end - job.q_W_start);
 }
 
-Result<double, Failure> feed_of(Channel& channel, const Job& job, double arc_mm, double rise_mm) {
+Result<double, Failure> feed_of(Channel& channel, const Job& job, const SpatialArc& arc,
+                                double rise_mm) {
+  const double arc_mm = arc.out.norm() * arc.sweep;
   FeedWay way = feed_way(channel, job.block, job.q_W_end, std::hypot(arc_mm, rise_mm));
+  way.circle = {arc.centre[kTransverseAxis], arc.out[kTransverseAxis], arc.ahead[kTransverseAxis],
+                arc.sweep};
   const auto share = helix_share(channel, arc_mm, rise_mm);
   if (!share) {
     return share.error();
@@ -105,7 +109,7 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
   const double radius = arc.out.norm();
   const Vector3 normal = arc.out.cross(arc.ahead).normalized();
   const double rise = (job.q_W_end - job.q_W_start).head<3>().dot(normal);
-  const auto feed = feed_of(channel, job, radius * arc.sweep, rise);
+  const auto feed = feed_of(channel, job, arc, rise);
   if (!feed) {
     return feed.error();
   }
@@ -139,9 +143,8 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   const double total = sweep + turns * kFullRad;
   const Plane& plane = circle.plane;
   const double rise = job.q_W_end[plane.normal] - job.q_W_start[plane.normal];
-  const double radius = (circle.start - circle.centre).norm();
-  const double arc_mm = radius * total;
-  const auto feed = feed_of(channel, job, arc_mm, rise);
+  const double arc_mm = (circle.start - circle.centre).norm() * total;
+  const auto feed = feed_of(channel, job, in_space(circle, job.q_W_start, total), rise);
   if (!feed) {
     return feed.error();
   }

@@ -124,6 +124,21 @@ double switched(const Channel& channel, double feed_mm_min) {
 
 namespace {
 
+/// Minutes that a turn of G96 takes, over the way.
+double mean_turn(const runtime::TurnTime& time, const FeedWay& way) {
+  if (!way.circle) {
+    return time.mean(way.radius_from_mm, way.radius_to_mm);
+  }
+  const auto on_circle = [&circle = *way.circle](double fraction) {
+    const double angle = fraction * circle.sweep_rad;
+    return circle.centre_mm + circle.out_mm * std::cos(angle) + circle.ahead_mm * std::sin(angle);
+  };
+  const double left = way.radius_to_mm - on_circle(1.0);
+  return runtime::mean_over_arc(time, way.circle->sweep_rad, [&](double fraction) {
+    return on_circle(fraction) + fraction * left;
+  });
+}
+
 /// mm/min, as F, S and the way make it.
 Result<double, Failure> programmed_feed(const Channel& channel, const Block& block,
                                         const FeedWay& way) {
@@ -147,9 +162,8 @@ Result<double, Failure> programmed_feed(const Channel& channel, const Block& blo
     return speed > 0.0 ? Result<double, Failure>(switched(channel, feed * speed))
                        : failure(AlarmId::NoFeed, "G95 needs F and S");
   }
-  const double turn = channel.spindle.cutting_speed > 0.0
-                          ? turn_time(channel).mean(way.radius_from_mm, way.radius_to_mm)
-                          : 0.0;
+  const double turn =
+      channel.spindle.cutting_speed > 0.0 ? mean_turn(turn_time(channel), way) : 0.0;
   return turn > 0.0 ? Result<double, Failure>(switched(channel, feed / turn))
                     : failure(AlarmId::NoFeed, "G96 needs F and S, and LIMS at X0");
 }

@@ -1,16 +1,28 @@
 #pragma once
 
+#include <optional>
+
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 
 namespace g31::sinumerik {
 
+/// X along a circle: centre + out cos(angle) + ahead sin(angle), and evenly what is left to its
+/// end.
+struct CircleInX {
+  double centre_mm = 0.0;
+  double out_mm = 0.0;
+  double ahead_mm = 0.0;
+  double sweep_rad = 0.0;
+};
+
 /// What a feed may depend on: how long a way is and how far from the turning centre.
 struct FeedWay {
-  double length_mm = 0.0;       ///< G93
-  double radius_from_mm = 0.0;  ///< G96: work coordinate X where the way begins
-  double radius_to_mm = 0.0;    ///< and where it ends
-  double feed = 0.0;            ///< as programmed: F or FB
-  double share = 1.0;           ///< feed of the machine over that of the axes of FGROUP
+  double length_mm = 0.0;           ///< G93
+  double radius_from_mm = 0.0;      ///< G96: work coordinate X where the way begins
+  double radius_to_mm = 0.0;        ///< and where it ends
+  std::optional<CircleInX> circle;  ///< G96: nullopt: X changes evenly
+  double feed = 0.0;                ///< as programmed: F or FB
+  double share = 1.0;               ///< feed of the machine over that of the axes of FGROUP
 };
 
 /// The way from where the axes stand.
