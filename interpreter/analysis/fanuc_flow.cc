@@ -50,6 +50,8 @@ class FanucTranslation {
   void follow(Index index);
   void nc_words(const syntax::Block& block);
   void call(const syntax::Block& block, const Word& code);
+  void local_target(const syntax::Block& block, const Word& code);
+  [[nodiscard]] bool is_missing_block(const Word& word) const;
   [[nodiscard]] std::string target_of(const Word& p) const;
   void add_unsimulated(const Word& code);
   void constant_jump(const Step& step, Index index, double sequence);
@@ -70,7 +72,8 @@ class FanucTranslation {
 Fault FanucTranslation::fault_of(AlarmId id, syntax::ShortSpan where,
                                  const std::string& detail) const {
   const fanuc::AlarmInfo& row = fanuc::info(id);
-  const bool of_target = id == AlarmId::JumpNotFound || id == AlarmId::IllegalJump;
+  const bool of_target =
+      id == AlarmId::JumpNotFound || id == AlarmId::IllegalJump || id == AlarmId::SequenceNotFound;
   return {of_target                    ? Fault::Kind::Target
           : id == AlarmId::EndOfRecord ? Fault::Kind::End
                                        : Fault::Kind::Block,
@@ -193,6 +196,8 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
     if (fanuc::calls_program(word) && !has_call) {
       has_call = true;
       call(block, word);
+    } else if (word.letter == 'M' && !is_computed && profile_.has_local_calls) {
+      local_target(block, word);
     } else if (!has_call && !is_computed && word.letter == 'G') {
       add_unsimulated(word);
     }
@@ -233,6 +238,29 @@ void FanucTranslation::add_unsimulated(const Word& code) {
   }
 }
 
+/// M97 P calls blocks of the program itself, M96 P Q goes on at one where an input is off.
+void FanucTranslation::local_target(const syntax::Block& block, const Word& code) {
+  const bool calls = code.number == fanuc::kLocalCall;
+  if (!calls && code.number != fanuc::kJumpByInput) {
+    return;
+  }
+  const bool may_be_skipped = last_word(block, '/') != nullptr;
+  const Word* const p = last_word(block, 'P');
+  if (p == nullptr && calls) {
+    builder_.fault(fault_of(AlarmId::CallWithoutProgram, code.span, "M97 without P"));
+    stops_ = !may_be_skipped;
+  } else if (p != nullptr && is_missing_block(*p)) {
+    builder_.fault(fault_of(AlarmId::SequenceNotFound, p->span, fmt::format("no N{}", p->number)));
+    stops_ = calls && !may_be_skipped;
+  }
+}
+
+/// Whether a word names a block that the program has not.
+bool FanucTranslation::is_missing_block(const Word& word) const {
+  return word.form == ValueForm::Integer && program_.extent == fanuc::Extent::Whole &&
+         !program_.find_label(static_cast<std::int32_t>(word.number), 0);
+}
+
 /// Which program a call names; empty: only a run knows.
 std::string FanucTranslation::target_of(const Word& p) const {
   return p.form == ValueForm::Name
@@ -247,12 +275,17 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
   const bool may_be_skipped = last_word(block, '/') != nullptr;
   if (p == nullptr) {
     // M98 Q100 calls the program itself.
-    if (!is_subprogram || last_word(block, profile_.start_letter) == nullptr) {
+    const Word* const start = last_word(block, profile_.start_letter);
+    if (!is_subprogram || start == nullptr) {
       builder_.fault(fault_of(AlarmId::CallWithoutProgram, code.span,
                               fmt::format("{}{} without P", code.letter, code.number)));
       stops_ = !may_be_skipped;
+    } else if (is_missing_block(*start)) {
+      builder_.fault(
+          fault_of(AlarmId::SequenceNotFound, start->span, fmt::format("no N{}", start->number)));
+      stops_ = !may_be_skipped;
     } else {
-      builder_.call({Call::Kind::Subprogram, to_text(program_.key), false, code.span});
+      builder_.call({Call::Kind::Subprogram, to_text(program_.key), false, code.span, {}});
     }
     return;
   }
@@ -268,6 +301,10 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
                                     : Call::Kind::Modal;
   made.target = target_of(*p);
   made.where = p->span;
+  const Word* const start = is_subprogram ? last_word(block, profile_.start_letter) : nullptr;
+  if (start != nullptr && start->form == ValueForm::Integer && profile_.starts_in_called) {
+    made.start = {static_cast<std::int32_t>(start->number), start->span};
+  }
   builder_.call(std::move(made));
 }
 

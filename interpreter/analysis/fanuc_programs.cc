@@ -124,14 +124,14 @@ class FanucPrograms final : public ProgramSet {
       return std::nullopt;
     }
     fanuc::ProgramKey key = key_of(call);
-    bool is_there = library_.find(key) != nullptr;
+    const fanuc::CompiledProgram* called = library_.find(key);
     const int factor = call.kind == Call::Kind::Subprogram ? profile_.count_factor : 0;
-    if (!is_there && factor > 0 && key.number >= factor) {
+    if (called == nullptr && factor > 0 && key.number >= factor) {
       key.number %= factor;
-      is_there = library_.find(key) != nullptr;
+      called = library_.find(key);
     }
-    if (is_there) {
-      return std::nullopt;
+    if (called != nullptr) {
+      return call.start ? missing_start(*called, *call.start) : std::nullopt;
     }
     const fanuc::AlarmInfo& row = fanuc::info(
         key.name.empty() ? fanuc::AlarmId::CalledNotFound : fanuc::AlarmId::CalledNameNotFound);
@@ -141,6 +141,18 @@ class FanucPrograms final : public ProgramSet {
   }
 
  private:
+  /// M98 P Q: the program has no such block.
+  [[nodiscard]] std::optional<Fault> missing_start(const fanuc::CompiledProgram& called,
+                                                   const Call::Start& start) const {
+    if (called.find_label(start.sequence, 0)) {
+      return std::nullopt;
+    }
+    const fanuc::AlarmInfo& row = fanuc::info(fanuc::AlarmId::SequenceNotFound);
+    return Fault{Fault::Kind::Target, fanuc::number_of(row, profile_.alarm_numbers), start.where,
+                 fmt::format("{}: {} has no N{}", row.text, to_text(called.key), start.sequence),
+                 std::string(row.remedy)};
+  }
+
   const fanuc::Profile& profile_;
   source::SourceMap& sources_;
   fanuc::ProgramLibrary library_;

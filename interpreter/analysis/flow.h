@@ -96,6 +96,13 @@ struct Call {
   std::string target;    ///< "O9010", "CYCLE977"; empty: known when running
   bool by_text = false;  ///< CALL "NAME": the target is a text
   syntax::ShortSpan where;
+
+  /// The block at which the program is to begin.
+  struct Start {
+    std::int32_t sequence = 0;
+    syntax::ShortSpan where;
+  };
+  std::optional<Start> start;  ///< nullopt: its first, or known when running
 };
 
 /// A variable as a program names it.

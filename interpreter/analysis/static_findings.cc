@@ -78,8 +78,8 @@ class Findings {
  private:
   void add_call(const Flow& flow, const Call& call, bool is_reached) {
     if (const auto fault = programs_.missing_program(flow, call)) {
-      const bool is_told = fault->kind == Fault::Kind::NotSimulated;
-      add(flow, *fault, is_told ? RuleId::NotSimulated : RuleId::MissingProgram, is_reached);
+      const bool is_there = fault->kind != Fault::Kind::Block;
+      add(flow, *fault, is_there ? rule_of(fault->kind) : RuleId::MissingProgram, is_reached);
     } else if (const auto wrong = programs_.wrong_arguments(flow, call)) {
       add(flow, *wrong, RuleId::WrongArguments, is_reached);
     }

@@ -105,5 +105,26 @@ TEST(CheckCodes, ACommentWithoutItsEndIsTold) {
                                       "open.nc:5:10: warning: this comment has no ) [NC014]"}));
 }
 
+// Blocks that calls and jumps of their own codes begin at: a run ends there.
+TEST(CheckCodes, ABlockThatIsNotThereIsToldWhateverNamesIt) {
+  const TemporaryFolder folder;
+  const std::string local = folder.write(
+      "local.nc", "O1\nM97 P10\nM97 P999\nM96 P10 Q1\nM96 P998 Q1\nM97\nM30\nN10 M99\n");
+  EXPECT_EQ(places(testing::g31({"check", local, "--control", "haas"}).out, folder),
+            (std::vector<std::string>{
+                "local.nc:3:5: error: alarm 78, SEQUENCE NUMBER NOT FOUND: no N999 [NC004]",
+                "local.nc:5:5: error: alarm 78, SEQUENCE NUMBER NOT FOUND: no N998 [NC004]",
+                "local.nc:6:1: error: alarm 76, PROGRAM NOT SPECIFIED: M97 without P [NC002]"}));
+  EXPECT_EQ(testing::g31({"check", local, "--control", "fanuc-16i"}).exit_code, 0)
+      << "M96 and M97 are not of this control";
+  const std::string called = folder.write(
+      "called.nc", "O1\nM98 P2 Q20\nM98 P2 Q50\nM98 Q1\nM98 Q7\nN1 M30\nO2\nN20 G0 X1.\nM99\n");
+  EXPECT_EQ(
+      places(testing::g31({"check", called, "--control", "fanuc-30i"}).out, folder),
+      (std::vector<std::string>{
+          "called.nc:3:8: error: alarm 78, SEQUENCE NUMBER NOT FOUND: O0002 has no N50 [NC004]",
+          "called.nc:5:5: error: alarm 78, SEQUENCE NUMBER NOT FOUND: no N7 [NC004]"}));
+}
+
 }  // namespace
 }  // namespace g31::check_codes_test

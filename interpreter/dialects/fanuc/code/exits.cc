@@ -27,7 +27,8 @@ void follow_words(const CompiledProgram& program, Index step, StepExits& exits) 
                   word.form == syntax::ValueForm::Integer &&
                   (word.number == 99.0 || word.number == 30.0 || word.number == 2.0);
     names_target |= word.letter == 'P';
-    goes_to_label |= word.letter == 'M' && (word.number == 96.0 || word.number == 97.0);
+    goes_to_label |=
+        word.letter == 'M' && (word.number == kJumpByInput || word.number == kLocalCall);
   }
   if (!exits.ends) {
     add_exit(exits, step + 1);

@@ -7,10 +7,6 @@ using syntax::ValueForm;
 
 constexpr double kFirstCall = 65.0;  // of the G codes that call whatever the parameters say
 
-// Of a Haas.
-constexpr int kJumpByInput = 96;
-constexpr int kLocalCall = 97;
-
 Result<bool, Failure> has_called(MaybeFailure failure) {
   return failure ? Result<bool, Failure>(*std::move(failure)) : true;
 }

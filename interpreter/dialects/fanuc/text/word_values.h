@@ -30,6 +30,11 @@ constexpr bool calls_program(const syntax::Word& word) {
                         (word.letter == 'M' && (word.number == 98.0 || word.number == 198.0)));
 }
 
+/// Of a Haas: M96 P Q goes on at a block of the program itself where an input is off, M97 P calls
+/// one.
+inline constexpr int kJumpByInput = 96;
+inline constexpr int kLocalCall = 97;
+
 /// A bit for each of some addresses.
 constexpr std::uint32_t letters_of(std::string_view letters) {
   std::uint32_t bits = 0;
