@@ -82,8 +82,11 @@ TEST(LatheProgram, IsNotWhatAMillMayWrite) {
         // One weak sign beside what mills have: a safety line, a preset, an arc in ZX.
         "O1\nT1001\nG17 G40 G49 G80 G98\nM30\n", "O1\nT1001\nG98 G81 X1. Y2. Z-1. R1. F100\nM30\n",
         "O1\nT1001\nG18 G2 X2. Z0 I1. K0 F100\nM30\n", "O1\nT1001\nG92 X0 Y0 Z0\nM30\n",
-        "O1\nT1001\nG10 L2 P1 X1. Z1.\nM30\n",
-        "O1\nT1001\nG73 X1. Z-1. R1. P100 Q1. F100\nM30\n"}) {
+        "O1\nT1001\nG10 L2 P1 X1. Z1.\nM30\n", "O1\nT1001\nG73 X1. Z-1. R1. P100 Q1. F100\nM30\n",
+        // The line that makes all functions safe, with the speed.
+        "O1\nT1 M06\nG00 G40 G50 G69 G80 G90 X10. S3000 M03\nM30\n",
+        "O1\nG00 G17 G40 G49 G50 G80 G90 S3000 M03\nM30\n",
+        "O1\nG90 G50 S3000 M03\nG43 H1 Z50.\nM30\n"}) {
     EXPECT_FALSE(mentions(run_with(program, ""), "PRB003")) << program;
   }
 }
@@ -94,7 +97,9 @@ TEST(LatheProgram, ShowsTwoSignsOfItsSeries) {
         "O1\nT01\nG99\nG0 X22. Z5.\nG92 X19. Z-20. F1.5\nM30\n",
         "O1\nT0101\nG2 X24. Z-12. I2. K0 F0.2\nM30\n", "O1\nT0101\nG71 P10 Q20 F0.2\nM30\n",
         "O1\nT0101\nG10 P1 X1. Z2. R0.4 Q3\nM30\n",
-        "O1\nG66.1 P2\nU1.\nG67\nT0101\nU1.\nM30\nO2\nM99\n"}) {
+        "O1\nG66.1 P2\nU1.\nG67\nT0101\nU1.\nM30\nO2\nM99\n",
+        // A lathe with Y has its other signs.
+        "O1\nT0101\nG50 S2000\nG0 X50. Y2.\nM30\n"}) {
     EXPECT_TRUE(mentions(run_with(program, ""), "PRB003")) << program;
   }
 }

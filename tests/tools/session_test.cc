@@ -285,6 +285,20 @@ TEST(Session, RefusalsSayWhatIsWrongAndWhere) {
   EXPECT_EQ(run.error().ending, Ending::Setup);
 }
 
+TEST(Session, WordsOfAProgramTellItsControlWhereItsEndingDoesNot) {
+  for (const char* const program :
+       {"T=\"PROBE\" D1 M6\nM30\n", "G54\nCYCLE973(1,,,1,3,60,3,8,,,,,1,1)\nM30\n",
+        "MSG(\"A\")\nM30\n", "G0 SUPA Z0 D0\nM30\n", "DIAMON\nG0 X1\nM30\n",
+        "; drawing #12\nDEF REAL A\nM30\n"}) {
+    EXPECT_EQ(name_of(control_of_program("p.nc", program)), "sinumerik-828d") << program;
+  }
+  for (const char* const program :
+       {"O1\nG65 P9810 X1.\nM30\n", "(CYCLE 977, DIAMOND TIP, SUPA1)\nG0 X1.\nM30\n",
+        "O1\n#100=1;(MSG()\nM30\n"}) {
+    EXPECT_EQ(name_of(control_of_program("p.nc", program)), name_of(default_control())) << program;
+  }
+}
+
 TEST(Session, TheManualKnowsBothDialects) {
   const Control fanuc = control_named("fanuc-30i").value();
   const Control sinumerik = control_named("sinumerik-828d").value();

@@ -91,21 +91,41 @@ bool has_whole_word(std::string_view text, std::string_view word) {
   return false;
 }
 
+/// CYCLE977(..)
+bool calls_cycle(std::string_view text) {
+  constexpr std::string_view kCycle = "CYCLE";
+  for (std::size_t at = text.find(kCycle); at != text.npos; at = text.find(kCycle, at + 1)) {
+    const std::size_t number = at + kCycle.size();
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", number), text.size());
+    if (end > number && end < text.size() && text[end] == '(') {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Words that no Fanuc program has, and nothing that one has: # before a number, O before one.
 bool is_sinumerik_text(std::string_view text) {
   static constexpr std::string_view kWords[] = {
       "DEF REAL", "DEF INT", "DEF BOOL", "DEF STRING", "GOTOF",   "GOTOB",    "STOPRE",
-      "MEAS=",    "MEAW=",   "ENDFOR",   "ENDLOOP",    "$AA_MW[", "$AC_MEA[", "$P_UIFR["};
+      "MEAS=",    "MEAW=",   "ENDFOR",   "ENDLOOP",    "$AA_MW[", "$AC_MEA[", "$P_UIFR[",
+      "MSG(",     "MCALL",   "SUPA",     "DIAMON",     "DIAMOF",  "T=\""};
+  bool is_comment = false;  // of a SINUMERIK
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool is_first = at == 0 || text[at - 1] == '\n';
+    is_comment = text[at] == ';' || (is_comment && !is_first);
+    if (is_comment) {
+      continue;
+    }
     const bool has_digit =
         at + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0;
     if ((text[at] == '#' || (is_first && (text[at] == 'O' || text[at] == ':'))) && has_digit) {
       return false;
     }
   }
-  return std::ranges::any_of(kWords,
-                             [&](std::string_view word) { return has_whole_word(text, word); });
+  return calls_cycle(text) || std::ranges::any_of(kWords, [&](std::string_view word) {
+           return has_whole_word(text, word);
+         });
 }
 
 }  // namespace

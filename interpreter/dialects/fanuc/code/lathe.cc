@@ -106,7 +106,11 @@ const Word* kind_of_feed(Words words) {
   return find_code(words, 'G', {98.0, 99.0});
 }
 
-enum class Weight { Alone, Strong, Weak };
+enum class Weight {
+  Alone,  ///< is enough where nothing speaks for a mill
+  Strong,
+  Weak
+};
 
 struct Sign {
   std::string_view name;
@@ -142,9 +146,13 @@ struct MillSigns {
         has(words, 'Y') || find_code(words, 'G', {17.0, 19.0, 43.0, 44.0, 49.0}) != nullptr;
   }
 
+  /// Whether one sign is not enough, whichever it is: G50 S in the line that makes all functions of
+  /// a mill safe is the end of scaling and a speed.
+  [[nodiscard]] bool speak() const { return is_milled || changes_tool; }
+
   [[nodiscard]] bool acquit(const Sign& sign) const {
     return (sign.weight == Weight::Strong && changes_tool_by_t) ||
-           (sign.weight == Weight::Weak && (is_milled || changes_tool)) ||
+           (sign.weight == Weight::Weak && speak()) ||
            (sign.find == tool_with_offset && changes_tool) ||
            (sign.find == turned_arc && selects_zx);
   }
@@ -229,7 +237,7 @@ std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
     const bool is_first = ++kinds == 1 || word->span.begin < signs.where.begin;
     signs.where = is_first ? word->span : signs.where;
     signs.what += fmt::format("{}{}", kinds == 1 ? "" : ", ", kSigns[i].name);
-    is_lathe = is_lathe || kinds >= 2 || kSigns[i].weight == Weight::Alone;
+    is_lathe = is_lathe || kinds >= 2 || (kSigns[i].weight == Weight::Alone && !found.mill.speak());
   }
   return is_lathe ? std::optional(std::move(signs)) : std::nullopt;
 }
