@@ -27,7 +27,7 @@ struct Listening {
 struct SensorState {
   bool in_place = true;     ///< the tool that carries it is where it belongs
   bool switched_on = true;  ///< as far as programs switch it
-  bool stands = true;       ///< the spindle that holds it does not turn
+  bool stands = true;       ///< its spindle, or those of parts before a turret, do not turn
   /// The spindle stands where a program put it, or that makes no difference.
   bool angle_known = true;
   bool works = true;  ///< it is not broken

@@ -62,7 +62,7 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   state.switched_on = is_on();
   const bool may_turn = setup_.switching.may_turn;
   const bool is_told = setup_.switching.is_up_to_program() && !may_turn;
-  state.stands = !spindle_.turns() || !is_told;
+  state.stands = (!spindle_.turns() && turning_parts_.empty()) || !is_told;
   state.angle_known = is_round() || (spindle_.turns() ? may_turn : spindle_.is_angle_known());
   state.ball_radius_mm = balls_.front().radius;
   state.delay_s = setup_.trigger_delay_s;
@@ -190,6 +190,12 @@ void TouchProbe::note(const machine::ToolChange& change) {
 
 void TouchProbe::note(const machine::SpindleTurn& turn) {
   if (setup_.in_turret) {
+    // No spindle turns the probe; those that hold parts should not, either.
+    if (turn.spindle == kToolSpindle || turn.rotation == machine::Rotation::Stopped) {
+      turning_parts_.erase(turn.spindle);
+    } else {
+      turning_parts_.insert(turn.spindle);
+    }
     return;
   }
   spindle_.take(turn, now_s_);

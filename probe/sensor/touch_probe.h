@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -211,6 +212,7 @@ class TouchProbe final : public machine::Surroundings {
   double now_s_ = 0.0;
   std::optional<double> ready_at_s_ = 0.0;  // none: switched off
   Spindle spindle_;
+  std::set<int> turning_parts_;  // of a probe in a turret: spindles, by their numbers
 };
 
 }  // namespace g31::probe

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/tool_measuring_run.h"
+#include "tests/support/turning_run.h"
 
 namespace g31::testing::tool_spindle_test {
 namespace {
@@ -104,6 +105,23 @@ TEST(ToolSpindle, AProbeTurnsWithItsOwnSpindle) {
   EXPECT_TRUE(complains("S1=100 M1=3"));
   EXPECT_FALSE(complains("S2=100 M2=3"));
   EXPECT_FALSE(complains("SETMS(2)\nS100 M3"));
+}
+
+/// A probe in a turret touches a part that stands.
+TEST(ToolSpindle, OfALatheTheSpindleOfThePartIsToStand) {
+  const std::string shaft = part("shaft", 0.0, 0.0, 200.0, "diameter = 50.0\nheight = 100.0");
+  const auto complains = [&](const std::string& spindle, const std::string& sheet) {
+    const MeasuringRun run =
+        run_turning(spindle + "\nG0 X50 Z-20\nMEAS=1 G1 X20 F100\nSTOPRE\nR1=$AA_MM[X]",
+                    {kProbeToMinusX, shaft, sheet}, {"R1"});
+    return run.output.errors.find("PRB313") != std::string::npos;
+  };
+  const std::string tool = "[probe]\ntool = 1\n";
+  EXPECT_TRUE(complains("S500 M4", tool));
+  EXPECT_FALSE(complains("S500 M4\nM5", tool));
+  EXPECT_FALSE(complains("SPOS=90", tool));
+  EXPECT_FALSE(complains("S500 M4", "")) << "a probe that no program brings is not spoken of";
+  EXPECT_FALSE(complains("S500 M4", tool + "may_turn = true\n"));
 }
 
 }  // namespace

@@ -189,6 +189,46 @@ TEST(SetupCommand, TellsProbesWhoseLengthTheControlDoesNotKnow) {
   }
 }
 
+// A turning tool has its first length along X, its second one along Z.
+TEST(SetupCommand, ComparesBothLengthsOfAProbeInATurret) {
+  const auto with_place = [](const std::string& at) {
+    return reviewed(
+        "[control]\nprofile = \"sinumerik-828d\"\n[tools.1]\nname = \"PROBE\"\ntype = 580.0\n"
+        "length = 100.0\n[variables]\n\"$TC_DP4[1,1]\" = 30.0\n[probe]\nball_diameter = 6.0\nat "
+        "= " +
+        at + "\n");
+  };
+  const CommandOutput right = with_place("[-100.0, 0.0, -30.0]");
+  EXPECT_EQ(right.out.find("SUP105"), std::string::npos) << right.out;
+  const CommandOutput wrong = with_place("[-100.0, 0.0, -100.0]");
+  EXPECT_TRUE(has(wrong,
+                  "note: no tool of [tools] is as long as the probe: X 100.000 mm, Z 100.000 "
+                  "mm [SUP105]"))
+      << wrong.out;
+}
+
+TEST(SetupCommand, ComparesTheRadiusOfTheProbeWithItsBall) {
+  const auto with_tool = [](const std::string& tool, const std::string& probe) {
+    return reviewed("[tools.1]\nlength = 120.0\n" + tool +
+                    "\n[probe]\nlength = 120.0\nball_diameter = 6.0\n" + probe);
+  };
+  const CommandOutput other = with_tool("radius = 2.0", "tool = 1\n");
+  EXPECT_TRUE(
+      has(other,
+          "note: the tool that is the probe has another radius than its ball: [tools.1] 2.000 mm, "
+          "[probe] 3.000 mm [SUP112]"))
+      << other.out;
+  EXPECT_EQ(other.exit_code, 0) << "a note";
+  EXPECT_TRUE(has(with_tool("radius = 2.0\ntype = 710.0", ""), "SUP112"));
+  for (const auto& [tool, probe] : {std::pair("radius = 2.98", "tool = 1\n"),
+                                    std::pair("radius = 3.0\nradius_wear = -0.02", "tool = 1\n"),
+                                    std::pair("radius = 2.0", "tool = 2\n"),
+                                    std::pair("radius = 2.0", ""), std::pair("", "tool = 1\n")}) {
+    const CommandOutput known = with_tool(tool, probe);
+    EXPECT_FALSE(has(known, "SUP112")) << tool << probe << known.out;
+  }
+}
+
 TEST(SetupCommand, TellsParametersWithoutEffectAndLostVariables) {
   const CommandOutput output = reviewed("[parameters]\n\"9999\" = 1\n[variables]\n#500 = 3.0\n");
   EXPECT_TRUE(has(output, "[PRB505]")) << output.out;

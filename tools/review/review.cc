@@ -112,21 +112,77 @@ void judge_skips(const setup::Job& job, const Listing& listing, const session::B
   }
 }
 
+/// What the sheet sets a variable to; 0: nothing.
+double value_of(const setup::Job& job, const std::string& name) {
+  const auto found = job.control.variables.find(name);
+  return found != job.control.variables.end() ? found->second.value_or(0.0) : 0.0;
+}
+
+/// Whether a tool may be the probe.  Its length is along Z, that of a turning tool (types 500 to
+/// 599) along X, whose second one is along Z.
+bool is_as_long(const setup::Job& job, int number, const runtime::ToolEntry& tool) {
+  constexpr double kSameMm = 1.0;
+  const double radius = 0.5 * job.probe->ball_diameter_mm;
+  const auto is_known = [&](double believed, double length) {
+    // Controls count to the middle of the ball or to its end.
+    return std::abs(believed - length) < kSameMm || std::abs(believed - length - radius) < kSameMm;
+  };
+  const Point& p_T_tip = job.machine.p_T_tip;
+  const double first = tool.length_mm + tool.length_wear_mm;
+  if (tool.type < 500.0 || tool.type >= 600.0) {
+    return is_known(first, -p_T_tip.z());
+  }
+  return is_known(first, std::abs(p_T_tip.x())) &&
+         is_known(value_of(job, fmt::format("$TC_DP4[{},1]", number)), -p_T_tip.z());
+}
+
 void judge_lengths(const setup::Job& job, std::vector<source::Diagnostic>& findings) {
   const auto& tools = job.control.tools;
   if (!job.probe || tools.empty()) {
     return;
   }
-  constexpr double kSameMm = 1.0;
-  const double length = -job.machine.p_T_tip.z();
-  const double to_ball_end = length + 0.5 * job.probe->ball_diameter_mm;
-  // Controls count to the middle of the ball or to its end.
-  const bool is_known = std::ranges::any_of(tools, [&](const auto& tool) {
-    const double believed = tool.second.length_mm + tool.second.length_wear_mm;
-    return std::abs(believed - length) < kSameMm || std::abs(believed - to_ball_end) < kSameMm;
-  });
+  const bool is_known = std::ranges::any_of(
+      tools, [&](const auto& tool) { return is_as_long(job, tool.first, tool.second); });
   if (!is_known) {
-    findings.push_back(finding_of(SetupRuleId::OtherLength, fmt::format("{:.3f} mm", length)));
+    const Point& p_T_tip = job.machine.p_T_tip;
+    const bool is_aside = std::abs(p_T_tip.x()) > 0.5 * job.probe->ball_diameter_mm;
+    findings.push_back(finding_of(
+        SetupRuleId::OtherLength,
+        is_aside ? fmt::format("X {:.3f} mm, Z {:.3f} mm", std::abs(p_T_tip.x()), -p_T_tip.z())
+                 : fmt::format("{:.3f} mm", -p_T_tip.z())));
+  }
+}
+
+/// Whether a tool is the probe, as the sheet or its type says: of SINUMERIK 710 to 714 on mills,
+/// 580 on lathes.
+bool is_probe(const setup::Job& job, int number, const runtime::ToolEntry& tool) {
+  const std::optional<int>& own = job.probe->switching.tool;
+  const bool is_of_type = (tool.type >= 710.0 && tool.type <= 714.0) || tool.type == 580.0;
+  return own ? number == *own : is_of_type;
+}
+
+/// Of several probes one is that of the sheet.
+void judge_radii(const setup::Job& job, std::vector<source::Diagnostic>& findings) {
+  constexpr double kCalibratedMm = 0.1;  // more is no calibration
+  if (!job.probe) {
+    return;
+  }
+  const double real = 0.5 * job.probe->ball_diameter_mm;
+  std::string other;
+  for (const auto& [number, tool] : job.control.tools) {
+    const double radius = tool.radius_mm + tool.radius_wear_mm;
+    if (radius <= 0.0 || !is_probe(job, number, tool)) {
+      continue;
+    }
+    if (std::abs(radius - real) <= kCalibratedMm) {
+      return;
+    }
+    other = other.empty()
+                ? fmt::format("[tools.{}] {:.3f} mm, [probe] {:.3f} mm", number, radius, real)
+                : other;
+  }
+  if (!other.empty()) {
+    findings.push_back(finding_of(SetupRuleId::OtherRadius, other));
   }
 }
 
@@ -204,6 +260,7 @@ Result<Review, session::Refusal> review(const session::Request& request) {
   judge_places(job, review.parts, review.reach, review.findings);
   judge_start(job, review.findings);
   judge_lengths(job, review.findings);
+  judge_radii(job, review.findings);
   judge_tool_names(job, review.findings);
   std::ranges::copy_if(listing.value().outcome.diagnostics, std::back_inserter(review.findings),
                        is_about_setup);

@@ -104,12 +104,25 @@ void configure_data(Runner& runner, const runtime::ControlSetup& setup,
   }
 }
 
+/// Whether a sheet gives a machine datum.
+bool is_said(const runtime::ControlSetup& setup, std::string_view name) {
+  return std::ranges::any_of(setup.data,
+                             [&](const auto& datum) { return datum.first.starts_with(name); });
+}
+
+/// On a lathe T brings the tool as its turret does, unless data say otherwise.
+void preset_tool_change(Runner& runner, const runtime::ControlSetup& setup) {
+  static constexpr std::string_view kName = "$MC_TOOL_CHANGE_MODE";
+  if (runner.channel().is_lathe() && !is_said(setup, kName)) {
+    G31_EXPECTS(!runner.run_text(fmt::format("{}=0", kName)));
+  }
+}
+
 /// On a lathe the rotary axis that turns the part about Z is its first spindle, unless data say
 /// which axis is one.
 void preset_spindle_axis(Runner& runner, const runtime::ControlSetup& setup) {
   static constexpr std::string_view kName = "$MA_SPIND_ASSIGN_TO_MACHAX";
-  const auto is_said = [](const auto& datum) { return datum.first.starts_with(kName); };
-  if (!runner.channel().is_lathe() || std::ranges::any_of(setup.data, is_said)) {
+  if (!runner.channel().is_lathe() || is_said(setup, kName)) {
     return;
   }
   for (const char letter : setup.kinematics.table_side) {
@@ -248,6 +261,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   }
   configure_carrier(channel, setup);
   configure_data(*runner_, setup, refused);
+  preset_tool_change(*runner_, setup);
   preset_spindle_axis(*runner_, setup);
   channel.preset_rapids();
   channel.preset_codes();
