@@ -79,6 +79,18 @@ SeenAcross seen_across(const Plane& plane, const Eigen::MatrixX3d& points,
   return seen;
 }
 
+/// Which side of a plane is above it, whatever the order of its points: that towards +z, whence a
+/// probe and a sensor look; of an upright face that towards +x, then +y.
+Point upwards(const Point& normal) {
+  constexpr double kUpright = 0.01;  // rad, more than what such a face is out of upright
+  for (const Eigen::Index axis : {2, 0}) {
+    if (std::abs(normal[axis]) > kUpright) {
+      return normal[axis] > 0.0 ? normal : Point(-normal);
+    }
+  }
+  return normal.y() > 0.0 ? normal : Point(-normal);
+}
+
 /// How high the points are above the plane that repeated fits come to: at rest, heights along its
 /// normal are those along which the fit has looked.
 template <typename Fit>
@@ -104,6 +116,7 @@ std::optional<Eigen::VectorXd> fitted_heights(const Eigen::MatrixX3d& points, Pl
     }
     before = tilt.norm();
   }
+  plane.normal = upwards(plane.normal);
   return seen_across(plane, points, watch).heights;
 }
 

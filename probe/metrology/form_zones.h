@@ -32,7 +32,8 @@ struct FormZones {
 /// What is flat, and where not.
 struct FlatnessEvaluation {
   FormZones zones;
-  /// Of each point from the middle of the minimum zone, along its normal, to either side.
+  /// Of each point from the middle of the minimum zone, along its normal: positive towards +z, of
+  /// an upright face (within 0.01 rad) towards +x, or +y where it looks along y.
   Eigen::VectorXd deviations;
 };
 

@@ -218,6 +218,34 @@ TEST(Flatness, OfAWallByHand) {
   EXPECT_NEAR(metrology::flatness_of(slope)->zones.minimum_zone, 0.02 / std::numbers::sqrt2, 1e-6);
 }
 
+/// A valley along y on a face that lies as `turn` says, its rows from left or from right.
+Eigen::VectorXd deviations_of_valley(const Eigen::Matrix3d& turn, bool from_right) {
+  Eigen::MatrixX3d valley(9, 3);
+  for (int i = 0; i < 9; ++i) {
+    const int column = from_right ? 2 - i % 3 : i % 3;
+    const double z = column == 1 ? 0.0 : 0.004;
+    valley.row(i) = (turn * Eigen::Vector3d(50.0 * column, 50.0 * (i / 3), z)).transpose();
+  }
+  return metrology::flatness_of(valley)->deviations;
+}
+
+// The edges are high, the middle is low, whichever way the rows go.
+TEST(Flatness, DeviationsArePositiveOutOfTheFaceInAnyOrderOfItsPoints) {
+  const Eigen::Matrix3d as_it_is = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d towards_x;  // columns: where x, y and z of the valley point
+  towards_x << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  Eigen::Matrix3d towards_y;
+  towards_y << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  for (const Eigen::Matrix3d& turn : {as_it_is, towards_x, towards_y}) {
+    for (const bool from_right : {false, true}) {
+      const Eigen::VectorXd deviations = deviations_of_valley(turn, from_right);
+      for (int i = 0; i < 9; ++i) {
+        EXPECT_NEAR(deviations[i], i % 3 == 1 ? -0.002 : 0.002, 1e-12) << from_right << " " << i;
+      }
+    }
+  }
+}
+
 TEST(Flatness, OfPointsOnALineIsNone) {
   Eigen::MatrixX3d line(5, 3);
   for (int i = 0; i < 5; ++i) {
