@@ -77,6 +77,26 @@ TEST(Drawing, EnlargesErrorsAlongTheRay) {
   EXPECT_NE(svg.find("prefers-color-scheme: dark"), std::string::npos);
 }
 
+// A page that has the drawing within it keeps the colours of its own texts.
+TEST(Drawing, HasRulesForItselfAlone) {
+  const std::string svg = plot::draw(plot::CurvePlot());
+  EXPECT_NE(svg.find(" class=\"plot\" role=\"img\">"), std::string::npos);
+  const std::size_t from = svg.find("<style>");
+  const std::string style = svg.substr(from, svg.find("</style>") - from);
+  const std::regex rule(R"(([^{}]+)\{ [^{}]*\})");
+  int count = 0;
+  for (auto it = std::sregex_iterator(style.begin(), style.end(), rule);
+       it != std::sregex_iterator(); ++it, ++count) {
+    const std::string selectors = (*it)[1];
+    for (std::size_t at = 0; at != std::string::npos; at = selectors.find(',', at + 1)) {
+      EXPECT_TRUE(std::regex_search(selectors.substr(at, selectors.find(',', at + 1) - at),
+                                    std::regex(R"(\.plot \.?\w+ ?$)")))
+          << selectors;
+    }
+  }
+  EXPECT_GT(count, 40) << "shapes, and four times the colours";
+}
+
 TEST(Drawing, IsWideEnoughForWhatStandsBesideIt) {
   plot::PathPlot chart;
   chart.nominal_radius = [](double) { return 50.0; };

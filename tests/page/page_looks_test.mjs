@@ -145,6 +145,24 @@ test('paper is light, drawings too, where the system is dark', async (t) => {
   await close();
 });
 
+test('a drawing goes by the theme of its page and leaves the texts of figures as they are', async (t) => {
+  const file = planOf('themes_plan', ['parts/library/inspection/product.step', '--stock', 'box']);
+  if (file === null) return t.skip('this g31 makes no plans');
+  const { page, close } = await open(browser, file);
+  await page.keyboard.press(']');
+  const inks = () => page.evaluate(() => ['.drawing .paper', '.drawing .title', '#chart text[fill="var(--paper)"]', '#chart text[fill="var(--ink2)"]']
+    .map((css) => getComputedStyle(document.querySelector(css)).fill));
+  const light = ['rgb(255, 255, 255)', 'rgb(28, 35, 41)', 'rgb(255, 255, 255)', 'rgb(71, 80, 90)'];
+  const dark = ['rgb(20, 24, 28)', 'rgb(230, 235, 239)', 'rgb(21, 24, 27)', 'rgb(179, 187, 195)'];
+  assert.deepEqual(await inks(), light);
+  await page.click('#theme');
+  await eventually(async () => assert.deepEqual(await inks(), dark));
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.click('#theme');
+  await eventually(async () => assert.deepEqual(await inks(), light, 'the button, not the system'));
+  await close();
+});
+
 test('an evaluation says nothing of a simulation: its rows may be those of a machine', async (t) => {
   const file = reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0']);
   if (file === null) return t.skip('this g31 writes no pages');

@@ -1,5 +1,6 @@
 #include "tools/plot/svg.h"
 
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,36 +10,55 @@
 namespace g31::plot {
 namespace {
 
-constexpr std::string_view kStyle = R"(<style>
-text { font-family: "DejaVu Sans", Helvetica, Arial, sans-serif; font-size: 12px; fill: #1c2329; }
-.paper { fill: #ffffff; }
-.title { font-size: 16px; font-weight: bold; }
-.faint { fill: #5b6770; }
-.frame, .grid, .nominal, .way { fill: none; }
-.frame { stroke: #5b6770; stroke-width: 1; }
-.grid { stroke: #dde3e8; stroke-width: 1; }
-.nominal { stroke: #8b979f; stroke-width: 1; stroke-dasharray: 8 3 2 3; }
-.way { stroke-width: 1.4; stroke-linejoin: round; }
-.area { fill-opacity: 0.2; stroke-width: 1.4; }
-.dashed { stroke-dasharray: 5 3; stroke-width: 1; }
-.line0 { stroke: #0b5fa5; } .fill0 { fill: #0b5fa5; }
-.line1 { stroke: #c2410c; } .fill1 { fill: #c2410c; }
-.line2 { stroke: #2a7f3e; } .fill2 { fill: #2a7f3e; }
-.line3 { stroke: #7a3e9d; } .fill3 { fill: #7a3e9d; }
-@media screen and (prefers-color-scheme: dark) {
-text { fill: #e6ebef; }
-.paper { fill: #14181c; }
-.faint { fill: #a3b0b9; }
-.frame { stroke: #a3b0b9; }
-.grid { stroke: #2b333a; }
-.nominal { stroke: #7f8c95; }
-.line0 { stroke: #6db3f2; } .fill0 { fill: #6db3f2; }
-.line1 { stroke: #ff9d6b; } .fill1 { fill: #ff9d6b; }
-.line2 { stroke: #7fd191; } .fill2 { fill: #7fd191; }
-.line3 { stroke: #c9a0e6; } .fill3 { fill: #c9a0e6; }
-}
-</style>
+/// What goes by the light that a drawing is seen in.
+struct Palette {
+  std::string_view ink;
+  std::string_view paper;
+  std::string_view faint;
+  std::string_view grid;
+  std::string_view nominal;
+  std::array<std::string_view, 4> colours;
+};
+constexpr Palette kLight{"#1c2329", "#ffffff", "#5b6770",
+                         "#dde3e8", "#8b979f", {"#0b5fa5", "#c2410c", "#2a7f3e", "#7a3e9d"}};
+constexpr Palette kDark{"#e6ebef", "#14181c", "#a3b0b9",
+                        "#2b333a", "#7f8c95", {"#6db3f2", "#ff9d6b", "#7fd191", "#c9a0e6"}};
+
+// Every rule is one of `.plot`: a page that has the drawing within it keeps its own texts.
+constexpr std::string_view kShapes = R"(
+.plot text { font-family: "DejaVu Sans", Helvetica, Arial, sans-serif; font-size: 12px; }
+.plot .title { font-size: 16px; font-weight: bold; }
+.plot .frame, .plot .grid, .plot .nominal, .plot .way { fill: none; }
+.plot .frame, .plot .grid { stroke-width: 1; }
+.plot .nominal { stroke-width: 1; stroke-dasharray: 8 3 2 3; }
+.plot .way { stroke-width: 1.4; stroke-linejoin: round; }
+.plot .area { fill-opacity: 0.2; stroke-width: 1.4; }
+.plot .dashed { stroke-dasharray: 5 3; stroke-width: 1; }
 )";
+
+/// @param plot  what the rules are for
+std::string colours_of(std::string_view plot, const Palette& palette) {
+  std::string rules = fmt::format(
+      "{0} text {{ fill: {1}; }}\n{0} .paper {{ fill: {2}; }}\n{0} .faint {{ fill: {3}; }}\n"
+      "{0} .frame {{ stroke: {3}; }}\n{0} .grid {{ stroke: {4}; }}\n{0} .nominal {{ stroke: {5}; "
+      "}}\n",
+      plot, palette.ink, palette.paper, palette.faint, palette.grid, palette.nominal);
+  for (std::size_t i = 0; i < palette.colours.size(); ++i) {
+    rules += fmt::format("{0} .line{1} {{ stroke: {2}; }} {0} .fill{1} {{ fill: {2}; }}\n", plot, i,
+                         palette.colours[i]);
+  }
+  return rules;
+}
+
+/// Light and dark follow the system; in a page its button overrides.
+std::string style_element() {
+  return fmt::format(
+      "<style>{}{}@media screen and (prefers-color-scheme: dark) {{\n{}}}\n@media screen "
+      "{{\n{}{}}}\n</style>\n",
+      kShapes, colours_of(".plot", kLight), colours_of(".plot", kDark),
+      colours_of(":root[data-theme=light] .plot", kLight),
+      colours_of(":root[data-theme=dark] .plot", kDark));
+}
 
 std::string escaped(std::string_view words) {
   std::string text;
@@ -77,9 +97,9 @@ Svg::Svg(double width, double height, std::string_view title, Language language,
     : growth_(std::move(growth)) {
   text_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-      "viewBox=\"0 0 {0} {1}\" role=\"img\"{4}>\n<title>{2}</title>\n{3}"
+      "viewBox=\"0 0 {0} {1}\" class=\"plot\" role=\"img\"{4}>\n<title>{2}</title>\n{3}"
       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-      width, height, escaped(title), kStyle,
+      width, height, escaped(title), style_element(),
       language == Language::English ? std::string()
                                     : fmt::format(" xml:lang=\"{}\"", name_of(language)));
 }
