@@ -298,6 +298,64 @@ TEST(Drawing, ADetailIsDrawnFromThePointsInIt) {
   EXPECT_EQ(points.find("-300"), std::string::npos) << "nothing far from it";
 }
 
+/// Two traces, each twice round a circle of radius 10, of which its uppermost part is shown.
+plot::PathPlot two_arcs_in_a_detail(double width) {
+  plot::PathPlot chart;
+  chart.nominal_radius = [](double) { return 10.0; };
+  chart.magnification = 1000.0;
+  chart.has_rings = true;
+  for (const double deviation : {0.002, -0.001}) {
+    plot::PathTrace trace{fmt::format("of {}", deviation), {}, {}, chart.traces.size()};
+    for (int turn = 0; turn < 2; ++turn) {
+      for (int i = 0; i < 36'000; ++i) {
+        const double angle = i * std::numbers::pi / 18'000.0;
+        trace.points.emplace_back(10.0 * std::cos(angle), 10.0 * std::sin(angle));
+        trace.deviations.push_back(deviation);
+      }
+    }
+    chart.traces.push_back(std::move(trace));
+  }
+  chart.detail = {0.0, 11.0, width};
+  return chart;
+}
+
+/// How many times a piece of text stands in another one.
+int count_of(const std::string& text, const std::string& piece) {
+  int count = 0;
+  for (std::size_t at = text.find(piece); at != text.npos; at = text.find(piece, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Drawing, ADetailNamesEachTraceOnce) {
+  const std::string svg = plot::draw(two_arcs_in_a_detail(8.0));
+  EXPECT_GT(count_of(svg, "class=\"way line1\" points"), 1) << "it comes there twice";
+  EXPECT_EQ(count_of(svg, ">of 0.002<"), 1);
+  EXPECT_EQ(count_of(svg, ">of -0.001<"), 1);
+}
+
+// A micrometre is a millimetre of the drawing, which has 540 / width pixels; the bar begins at 650
+// of 900 pixels, and its words take 8 a letter at most.
+TEST(Drawing, TheBarOfADetailFitsBesideIt) {
+  struct Case {
+    double width;
+    double pixels;
+    const char* words;
+  };
+  for (const auto& [width, pixels, words] : {Case{20.0, 27.0, ">1 µm error<"},
+                                             {5.0, 54.0, ">0.5 µm error<"},
+                                             {0.4, 67.5, ">0.05 µm error<"},
+                                             {0.01, 54.0, ">0.001 µm error<"}}) {
+    const std::string svg = plot::draw(two_arcs_in_a_detail(width));
+    EXPECT_NE(svg.find(words), svg.npos) << width;
+    std::smatch bar;
+    ASSERT_TRUE(std::regex_search(
+        svg, bar, std::regex(R"re(<line class="frame" x1="650.00" y1="\S+" x2="(\S+)")re")));
+    EXPECT_DOUBLE_EQ(std::stod(bar[1]), 650.0 + pixels) << width;
+  }
+}
+
 TEST(Drawing, ADetailIsAPointAndAWidth) {
   for (const char* const wrong : {"1,2", "1,2,0", "1,2,-3", "1,2,3,4", "a,2,3", ""}) {
     TemporaryFolder folder;

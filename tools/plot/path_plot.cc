@@ -20,6 +20,7 @@ constexpr double kLeft = 80.0;
 constexpr double kTop = 56.0;
 constexpr double kSize = 540.0;
 constexpr double kColumn = 650.0;
+constexpr double kLongestBar = 100.0;  // beside a detail: behind it is room for its words
 constexpr double kMicrometres = 1e3;
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -82,12 +83,13 @@ std::vector<PathTrace> pieces_near(const PathPlot& plot, const Window& detail,
   constexpr double kNear = 2.0;  // halves of the detail
   std::vector<PathTrace> pieces;
   for (const PathTrace& trace : plot.traces) {
+    const std::size_t first = pieces.size();
     bool goes_on = false;
     for (std::size_t i = 0; i < trace.points.size(); ++i) {
       const Eigen::Vector2d off = enlarged_point(plot, trace, i, magnification) - detail.middle;
       const bool is_near = off.cwiseAbs().maxCoeff() < kNear * detail.half;
       if (is_near && !goes_on) {
-        pieces.push_back({pieces.empty() ? trace.name : "", {}, {}, trace.colour});
+        pieces.push_back({pieces.size() == first ? trace.name : "", {}, {}, trace.colour});
       }
       if (is_near) {
         pieces.back().points.push_back(trace.points[i]);
@@ -194,8 +196,10 @@ std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement);
 }  // namespace
 
 std::string draw(const PathPlot& plot) {
-  const Enlargement enlargement = enlargement_of(plot);
+  Enlargement enlargement = enlargement_of(plot);
   if (const auto detail = detail_of(plot)) {
+    const double longest = kLongestBar * 2.0 * detail->half / kSize;  // mm, as it is drawn
+    enlargement.step = std::min(enlargement.step, round_down(longest / enlargement.magnification));
     PathPlot near = plot;
     near.traces = pieces_near(plot, *detail, enlargement.magnification);
     return draw_shown(near, enlargement);
