@@ -438,6 +438,15 @@ TEST_F(Plan, ItsPageShowsTheTouchesOfAMeasure) {
   EXPECT_EQ(row.find("data-t=\"1\""), row.npos) << row;
 }
 
+TEST_F(Plan, ItsPageShowsWhatTheProgramPrints) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box", "--control", "0i-MF"}).exit_code, 0);
+  const std::string page = text_of(out("plan.html"));
+  EXPECT_EQ(page.find("The program printed nothing"), page.npos);
+  const std::size_t printed = page.find("<pre class=\"out\"");
+  ASSERT_NE(printed, page.npos);
+  EXPECT_NE(page.find("F1.Y", printed), page.npos);
+}
+
 TEST_F(Plan, IsTheSameEachTime) {
   ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
   std::map<std::string, std::string> first;

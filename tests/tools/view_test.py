@@ -4,6 +4,7 @@
 Usage: view_test.py G31
 """
 import http.client
+import json
 import pathlib
 import re
 import signal
@@ -215,6 +216,20 @@ class Live(Served):
         page = self.ask()[1]
         edition = int(re.search(r'data-edition="(\d+)"', page)[1])
         self.assertLessEqual(edition - first, 4 * 4, "four in two seconds, and those at both ends")
+
+    def test_the_page_has_what_is_printed_and_every_stop(self):
+        self.write("a.nc", "%\nO1\n#1=5\nPOPEN\nDPRNT[X#1[43]]\nPCLOS\n#3006=1(CLEAN THE PROBE)\nM0\nM30\n%\n")
+        self.start()
+        page, _ = self.until("Completed")
+        begin = page.index("Printouts and messages")
+        shown = page[begin:begin + 2000]
+        self.assertNotIn("The program printed nothing", shown)
+        self.assertRegex(shown, r"X +5\.000")
+        self.assertIn("CLEAN THE PROBE", shown)
+        run = subprocess.run([G31, "run", "a.nc", "--json", "-", "-q"], cwd=self.folder, capture_output=True, text=True)
+        document = json.loads(re.search(r'id="g31-document">(.*?)</script>', page, re.S)[1])
+        for list_ in ("output", "stops"):
+            self.assertEqual(document[list_], json.loads(run.stdout)[list_])
 
     def test_two_windows_hear_of_each_edition(self):
         self.start()

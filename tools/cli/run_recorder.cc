@@ -22,7 +22,7 @@ EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts
                    keep_if(options.touches || wants_page(options))},
                   budget, options.blocks || wants_page(options) ? &machine : nullptr),
       printouts_(printouts),
-      keeps_(!options.json.empty() || !options.report.empty()),
+      keeps_(!options.json.empty() || wants_page(options)),
       keeps_output_(keeps_),
       machine_(machine),
       readings_(tables.readings.get()),
