@@ -110,6 +110,18 @@ class Safety(Served):
         for method in ("POST", "PUT", "DELETE", "OPTIONS", "HEAD", "PATCH"):
             self.assertEqual(self.ask(method=method)[0], 405, method)
 
+        self.assertEqual(self.headers["Allow"], "GET")
+
+    def test_a_range_is_answered_with_the_whole_page_and_nothing_behind_it(self):
+        self.start()
+        page, _ = self.until("Completed")
+        size = len(page.encode())
+        for wanted in ("0-99", f"{size}-{size + 99}", f"{size - 10}-9999999", "99999999-", "-5", "0-1,3-4,99999999-"):
+            status, text = self.ask(Range=f"bytes={wanted}")
+            self.assertEqual((status, self.headers["Accept-Ranges"], self.headers["Content-Range"]), (200, "none", None), wanted)
+            self.assertTrue(text == page, wanted)
+        self.assertEqual(self.ask(Range="bytes=9-3")[0], 416)
+
     def test_it_listens_at_the_loopback_alone(self):
         self.start()
         listening = [line.split()[1] for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]

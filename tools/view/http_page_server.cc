@@ -25,6 +25,8 @@ namespace g31::view {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
+constexpr const char* kMethod = "GET";
+constexpr int kWrongMethod = 405;
 constexpr int kMostListeners = 10;  // each keeps a thread for as long as it listens
 constexpr std::size_t kMostPayload = 1024;
 constexpr auto kPatience = std::chrono::seconds(2);
@@ -59,11 +61,15 @@ class PromptServer final : public httplib::Server {
   explicit PromptServer(const std::atomic<bool>& ends) : ends_(ends) {}
 
  private:
+  /// Ranges are ignored, as RFC 9110, 14.2, lets a server: pieces of a page would be of different
+  /// editions, and the library asks the provider for bytes behind its end.
+  static void answer_whole(httplib::Request& request) { request.ranges.clear(); }
+
   /// One request and its answer.
   bool process_and_close_socket(socket_t socket) override {
     Connection connection(socket, ends_);
     bool is_closed = false;
-    const bool is_answered = process_request(connection, true, is_closed, nullptr);
+    const bool is_answered = process_request(connection, true, is_closed, answer_whole);
     ::shutdown(socket, SHUT_RDWR);
     ::close(socket);
     return is_answered;
@@ -121,7 +127,6 @@ class HttpPageServer final : public PageServer {
 int HttpPageServer::refusal_of(const httplib::Request& request) const {
   constexpr int kForbidden = 403;
   constexpr int kNotFound = 404;
-  constexpr int kWrongMethod = 405;
   const std::string host = request.get_header_value("Host");
   if (request.get_header_value_count("Host") != 1 ||
       (host != fmt::format("{}:{}", kHost, port_) && host != fmt::format("localhost:{}", port_))) {
@@ -130,7 +135,7 @@ int HttpPageServer::refusal_of(const httplib::Request& request) const {
   if (request.get_param_value_count("t") != 1 || !are_equal(request.get_param_value("t"), token_)) {
     return kForbidden;
   }
-  if (request.method != "GET") {
+  if (request.method != kMethod) {
     return kWrongMethod;
   }
   return request.path == "/" || request.path == "/events" ? 0 : kNotFound;
@@ -145,7 +150,8 @@ void HttpPageServer::set_up() {
     const int yes = 1;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
   });
-  server_.set_default_headers({{"Cache-Control", "no-store"},
+  server_.set_default_headers({{"Accept-Ranges", "none"},
+                               {"Cache-Control", "no-store"},
                                {"X-Content-Type-Options", "nosniff"},
                                {"X-Frame-Options", "DENY"},
                                {"Cross-Origin-Resource-Policy", "same-origin"},
@@ -156,6 +162,9 @@ void HttpPageServer::set_up() {
       return httplib::Server::HandlerResponse::Unhandled;
     }
     response.status = refusal;
+    if (refusal == kWrongMethod) {
+      response.set_header("Allow", kMethod);
+    }
     response.set_content(fmt::format("{}\n", refusal), "text/plain");
     return httplib::Server::HandlerResponse::Handled;
   });
