@@ -270,7 +270,7 @@ class Manners(unittest.TestCase):
                             (("check", "a.nc", "--control", "x"), 5), (("new", "a.nc"), 2), (("new", "b", "--control", "x"), 5),
                             (("evaluate", "speed", "no.csv"), 2), (("evaluate", "speed", "a.csv", "--max-output", "10"), 6),
                             (("judge", "no.json", "a.nc"), 2), (("completion", "bash"), 0), (("manual", "x"), 2),
-                            (("view", "a.nc", "--port", "0", "--no-such"), 2), (("setup", "no.toml"), 2)):
+                            (("view", "a.nc", "--port", "0", "--no-such"), 2), (("view", "a.nc", "--control", "x"), 5), (("setup", "no.toml"), 2)):
             run = self.g31(*words)
             self.assertEqual(run.returncode, code, f"{words}: {run.stderr}")
             self.assertIn(code, codes(words[:1]), words)

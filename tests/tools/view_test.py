@@ -149,6 +149,12 @@ class Safety(Served):
         self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
         self.assertIn(f"--port {port}", run.stderr)
 
+    def test_what_no_save_mends_is_refused_before_it_serves(self):
+        for words, code, says in ((("--expect", "junk"), 2, "--expect junk: write NAME=VALUE+-TOLERANCE"), (("--set", "junk"), 2, "--set junk"),
+                                  (("--expect", "#1=1", "--expect", "#1=2"), 2, "too: keep one of them"), (("--control", "nothing"), 5, "nothing")):
+            view = subprocess.run([G31, "view", "a.nc", *words], cwd=self.folder, capture_output=True, text=True, timeout=GENEROUS)
+            self.assertEqual((view.returncode, view.stdout), (code, ""), view.stderr)
+            self.assertIn(says, view.stderr)
 
     def test_connections_that_say_nothing_keep_nobody_waiting(self):
         self.start()

@@ -2,14 +2,18 @@
 
 #include <chrono>
 #include <deque>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "tools/cli/messages.h"
+#include "tools/cli/run_expectations.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/write_out.h"
+#include "tools/disk/disk.h"
+#include "tools/session/prepare.h"
 #include "tools/view/file_watch.h"
 #include "tools/view/page_server.h"
 
@@ -60,11 +64,27 @@ void view_once(const ViewOptions& options, view::FileWatch& files, const Watch& 
   work.join();
 }
 
+/// What is wrong with words of the command line, whatever the files hold: no save mends it.
+std::optional<session::Refusal> wrong_words(const RunOptions& run) {
+  setup::Job of_no_sheet;
+  disk::Disk disk;
+  if (const auto control = session::named_control(run.control, of_no_sheet); !control) {
+    return control.error();
+  }
+  if (auto wrong = session::take_variables(run.assignments, disk, of_no_sheet)) {
+    return wrong;
+  }
+  const auto expectations = expectations_of(of_no_sheet, run.expects);
+  return expectations ? std::nullopt : std::optional(expectations.error());
+}
+
 }  // namespace
 
 ExitCode view_command(const ViewOptions& options) {
-  if (const auto wrong = why_no_page("g31 view")) {
-    return refuse(*wrong);
+  for (const auto& wrong : {wrong_words(options.run), why_no_page("g31 view")}) {
+    if (wrong) {
+      return refuse(*wrong);
+    }
   }
   const auto server = view::PageServer::open(options.port);
   if (!server) {
