@@ -361,6 +361,13 @@ TEST_F(Plan, WhatIsOfNoKindIsNamedAndTheRestIsWritten) {
   for (const char* const name : {"inspect.nc", "setup.toml", "plan.html"}) {
     EXPECT_FALSE(text_of(out(name)).empty()) << name;
   }
+  const std::string page = text_of(out("plan.html"));
+  for (const char* const piece :
+       {"<div class=\"verdict bad\">", "<div class=\"state\">Incomplete</div>",
+        ">Not measured: F1, F2, F3 … (4).</h2>", "<h3>Findings: 4</h3>",
+        ">F1 is not measured: ", "<dt>Exit code</dt><dd>1</dd>"}) {
+    EXPECT_NE(page.find(piece), page.npos) << piece;
+  }
   EXPECT_NE(output.out.find("nothing is measured"), std::string::npos) << output.out;
   EXPECT_EQ(this->plan({boss, "--stock", "box", "--control", "828D"}).exit_code, 1);
 }

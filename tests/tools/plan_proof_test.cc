@@ -40,6 +40,8 @@ TEST_F(PlanProof, FailsWhereThePartAsDrawnComesOutOfTolerance) {
   EXPECT_EQ(output.out.find("F1.Z "), std::string::npos) << output.out;
   const std::string page = testing::text_of(out("plan.html"));
   EXPECT_NE(page.find("Not proven"), std::string::npos);
+  EXPECT_NE(page.find("<dt>Exit code</dt><dd>1</dd>"), std::string::npos);
+  EXPECT_NE(page.find("F1.Y of the part as drawn is +126.7 µm off, allowed is"), std::string::npos);
   EXPECT_EQ(document().at("proof").at("out_of_tolerance").front(), "F1.Y");
   EXPECT_EQ(plan_with(probe, "0.13").exit_code, 0);
   EXPECT_TRUE(document().at("proof").at("out_of_tolerance").empty());

@@ -137,6 +137,10 @@ std::string command_of(const PlanOptions& options) {
   return command.line();
 }
 
+ExitCode outcome_of(const plan::PlannedPart& planned) {
+  return planned.is_whole() ? ExitCode::Completed : ExitCode::Findings;
+}
+
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
        at = text.find(from, at + to.size())) {
@@ -169,7 +173,7 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
     for (page::Input& input : report.inputs) {
       input.file = fs::path(input.file).filename().string();  // where it was run says nothing
     }
-    page::add_plan(planned, command_of(options), report);
+    page::add_plan(planned, {command_of(options), static_cast<int>(outcome_of(planned))}, report);
   };
   run_command(run);
   progress.end();
@@ -333,9 +337,7 @@ ExitCode plan_command(const PlanOptions& options) {
   if (const auto wrong = write_result(options.json, for_people, [&] { return document; })) {
     return refuse(*wrong);
   }
-  const bool is_whole = !planned.value().leaves_something_out() && planned.value().is_proven() &&
-                        planned.value().measures_as_machined();
-  return is_whole ? ExitCode::Completed : ExitCode::Findings;
+  return outcome_of(planned.value());
 }
 
 }  // namespace g31::cli

@@ -1,6 +1,10 @@
 #include "tools/page/judged_measures.h"
 
+#include <algorithm>
+#include <span>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/page/said.h"
 
@@ -34,33 +38,36 @@ Characteristic characteristic_of(const plan::JudgedMeasure& judged) {
   return row;
 }
 
-void add_not_good(const plan::Judgement& judgement, const JudgedWords& words, Report& report) {
+std::string named(const std::vector<std::string>& names) {
   constexpr std::size_t kMostNamed = 3;
-  std::string names;
-  std::size_t out = 0;
-  for (std::size_t i = 0; i < judgement.measures.size(); ++i) {
-    const plan::Verdict verdict = judgement.measures[i].verdict;
-    if (verdict == plan::Verdict::Good) {
+  const std::span<const std::string> first(names.data(), std::min(names.size(), kMostNamed));
+  const std::string text = fmt::format("{}", fmt::join(first, ", "));
+  return names.size() > kMostNamed ? fmt::format("{} … ({})", text, names.size()) : text;
+}
+
+void add_not_good(const plan::Judgement& judgement, const JudgedWords& words, Report& report) {
+  std::vector<std::string> names;
+  for (const plan::JudgedMeasure& judged : judgement.measures) {
+    if (judged.verdict == plan::Verdict::Good) {
       continue;
     }
-    const Characteristic& row = report.results[i];
+    const Characteristic row = characteristic_of(judged);
     report.findings.push_back(
         {source::Severity::Error,
          "",
-         why_not_good(row, verdict == plan::Verdict::Bad, words, report.language),
+         why_not_good(row, judged.verdict == plan::Verdict::Bad, words, report.language),
          {}});
-    names += ++out > kMostNamed ? "" : (names.empty() ? "" : ", ") + row.name;
+    names.push_back(row.name);
   }
-  if (out == 0) {
+  if (names.empty()) {
     return;
   }
   report.verdict.sign = Sign::Bad;
   const bool is_any_bad = count(judgement, plan::Verdict::Bad) > 0;
   report.verdict.state =
       text_of(is_any_bad ? Word::StateOut : Word::StateIncomplete, report.language);
-  report.verdict.headline =
-      said(report.language, out == 1 ? words.one : words.several,
-           fmt::arg("names", out > kMostNamed ? fmt::format("{} … ({})", names, out) : names));
+  report.verdict.headline = said(report.language, names.size() == 1 ? words.one : words.several,
+                                 fmt::arg("names", named(names)));
 }
 
 }  // namespace g31::page

@@ -20,9 +20,11 @@ struct JudgedWords {
   Word several;  ///< names
 };
 
+/// The names of what is not good as a headline has them: the first few, and how many there are.
+std::string named(const std::vector<std::string>& names);
+
 /// Tells each measure that is not good as a finding and, where there are any, makes them the
 /// verdict: its sign, state and headline.
-/// @param report  its results are those of the measures
 void add_not_good(const plan::Judgement& judgement, const JudgedWords& words, Report& report);
 
 }  // namespace g31::page

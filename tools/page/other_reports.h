@@ -42,9 +42,14 @@ struct JudgedFiles {
 Report report_of(const plan::Judgement& judgement, const JudgedFiles& files,
                  const PageOrigin& origin);
 
+/// The command that makes a plan, and how it ends.
+struct PlanCommand {
+  std::string line;  ///< that repeats it
+  int exit_code = 0;
+};
+
 /// Makes the page of a plan from that of the run that proved it.
-/// @param command  that makes the plan
-void add_plan(const plan::PlannedPart& planned, const std::string& command, Report& report);
+void add_plan(const plan::PlannedPart& planned, const PlanCommand& command, Report& report);
 
 inline constexpr std::size_t kMostCharts = 24;
 

@@ -96,19 +96,32 @@ Table points_table(const plan::PlannedPart& planned, Language language) {
   return table;
 }
 
+/// What is not measured, and why.
+struct NotMeasured {
+  std::string name;
+  std::string why;
+};
+
+std::vector<NotMeasured> not_measured(const plan::PlannedPart& planned) {
+  std::vector<NotMeasured> all;
+  for (std::size_t i = 0; i < planned.part.unknown.size(); ++i) {
+    all.push_back(
+        {plan::feature_id(planned.part.features.size() + i), planned.part.unknown[i].why});
+  }
+  for (const probe::LeftOut& left : planned.plan.left_out) {
+    all.push_back({fmt::format("{}.{}", plan::feature_id(left.feature), left.axis), left.why});
+  }
+  return all;
+}
+
 Table left_out_table(const plan::PlannedPart& planned, Language language) {
   Table table{
       std::string(text_of(Word::NotMeasured, language)),
       {std::string(text_of(Word::Feature, language)), std::string(text_of(Word::Why, language))},
       {},
       1};
-  for (std::size_t i = 0; i < planned.part.unknown.size(); ++i) {
-    table.rows.push_back(
-        {plan::feature_id(planned.part.features.size() + i), planned.part.unknown[i].why});
-  }
-  for (const probe::LeftOut& left : planned.plan.left_out) {
-    table.rows.push_back(
-        {fmt::format("{}.{}", plan::feature_id(left.feature), left.axis), left.why});
+  for (const NotMeasured& one : not_measured(planned)) {
+    table.rows.push_back({one.name, one.why});
   }
   return table;
 }
@@ -146,6 +159,23 @@ std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
   return rows;
 }
 
+/// What is left out is a finding, as it is for the command.
+void add_left_out(const plan::PlannedPart& planned, Report& report) {
+  const Language language = report.language;
+  std::vector<std::string> names;
+  for (const NotMeasured& one : not_measured(planned)) {
+    report.findings.push_back(
+        {source::Severity::Error,
+         "",
+         said(language, Word::SaysLeftOut, fmt::arg("name", one.name), fmt::arg("why", one.why)),
+         {}});
+    names.push_back(one.name);
+  }
+  report.verdict.sign = Sign::Bad;
+  report.verdict.state = text_of(Word::StateIncomplete, language);
+  report.verdict.headline = said(language, Word::SaysNotAll, fmt::arg("names", named(names)));
+}
+
 /// What of the part as machined is not good: the page says it first.
 void add_as_machined(const plan::PlannedPart& planned, Report& report) {
   const Language language = report.language;
@@ -170,7 +200,7 @@ void take_document(const std::string& document, Report& report) {
 
 }  // namespace
 
-void add_plan(const plan::PlannedPart& planned, const std::string& command, Report& report) {
+void add_plan(const plan::PlannedPart& planned, const PlanCommand& command, Report& report) {
   const Language language = report.language;
   report.title = planned.product;
   report.what = "g31 plan";
@@ -183,11 +213,19 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
            fmt::arg("bad", count(planned.on_product, plan::Verdict::Bad)),
            fmt::arg("all", planned.on_product.measures.size()),
            fmt::arg("deviation", micrometres(planned.largest_deviation_mm)));
-  if (!planned.is_proven()) {
-    report.verdict.sign = Sign::Bad;
-    report.verdict.state = text_of(Word::StateOut, language);
+  if (planned.leaves_something_out()) {
+    add_left_out(planned, report);
   }
-  report.command = command;
+  add_not_good(
+      planned.on_product,
+      {Word::SaysDrawnBad, Word::SaysJudgedMissing, Word::SaysDrawnOut, Word::SaysDrawnSeveralOut},
+      report);
+  report.command = command.line;
+  for (auto& [name, value] : report.facts) {
+    if (name == text_of(Word::ExitCode, language)) {
+      value = fmt::format("{}", command.exit_code);  // till here that of the run
+    }
+  }
   report.results = characteristics(planned, numbers_of_touches(report));
   if (planned.as_machined) {
     add_as_machined(planned, report);

@@ -45,6 +45,10 @@ struct PlannedPart {
   [[nodiscard]] bool measures_as_machined() const {
     return !as_machined || count(*as_machined, Verdict::Missing) == 0;
   }
+  /// Whether everything is measured, by a program that is proven.
+  [[nodiscard]] bool is_whole() const {
+    return !leaves_something_out() && is_proven() && measures_as_machined();
+  }
 };
 
 /// Of a feature with a round wall that is measured across; null: it has none.
