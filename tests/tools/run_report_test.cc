@@ -363,6 +363,15 @@ TEST_F(Report, HasItsResultsWhereThereAreNone) {
   EXPECT_TRUE(has(page_of("O8\nG65 P2 D3O.\nM30\n"), R"(<table id="results">)")) << "nothing ran";
 }
 
+TEST_F(Report, JudgesWhatIsToBeVacant) {
+  const std::vector<std::string> vacant = {"--expect", "#501=vacant", "--print", "#501"};
+  const std::string page = page_of("O1\n#501=3\nM30\n", vacant);
+  EXPECT_TRUE(has(page, "#501 is not as expected."));
+  EXPECT_TRUE(has(page, "Not as expected</span></td></tr>"));
+  EXPECT_FALSE(has(page, "verd mut")) << "it is told once";
+  EXPECT_TRUE(has(page_of("O1\nM30\n", vacant), "As expected</span></td></tr>"));
+}
+
 TEST_F(Report, TellsWhereACollisionWas) {
   const std::string page = page_of("O9\nG90 G0 X30. Y0.\nG1 Z100. F800.\nM30\n");
   EXPECT_EQ(output_.exit_code, 4) << output_.errors;

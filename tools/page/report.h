@@ -69,6 +69,7 @@ struct Characteristic {
   std::optional<double> nominal;
   std::optional<expect::Limits> tolerance;  ///< from the nominal; nullopt: it is not judged
   std::optional<double> measured;           ///< nullopt: not reached
+  std::optional<bool> is_as_expected;       ///< of what is to be vacant; nullopt: it is a size
   std::optional<double> true_size;          ///< of the simulated part, where it is known
   std::optional<double> other;              ///< in the run that is compared, where it tells
   std::vector<std::size_t> touches;         ///< numbers

@@ -136,6 +136,10 @@ std::string verdict_text(const Report& report, const Characteristic& row) {
   if (!row.measured && (row.unit || row.tolerance)) {
     return shown("mut", "", Word::NotReached);
   }
+  if (row.is_as_expected) {
+    return *row.is_as_expected ? shown("ok", svg_of(Sign::Good), Word::StateAsExpected)
+                               : shown("no", svg_of(Sign::Bad), Word::StateNotAsExpected);
+  }
   if (!row.tolerance) {
     return shown("mut", "", Word::Reported);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -6,6 +7,13 @@
 
 namespace g31::page {
 namespace {
+
+/// Whether a variable is to hold nothing.
+bool is_vacant(const expect::ExpectedValue& expected) {
+  const auto* const shown = std::get_if<runtime::ShownValue>(&expected);
+  const auto* const cell = shown == nullptr ? nullptr : std::get_if<runtime::Cell>(shown);
+  return cell != nullptr && cell->is_vacant();
+}
 
 /// Fills the table of results, each variable once.
 class ResultRows {
@@ -28,6 +36,15 @@ class ResultRows {
     Characteristic row = begin(variable, measured);
     row.nominal = within.value;
     row.tolerance = expect::Limits{-within.tolerance, within.tolerance};
+    rows_.push_back(std::move(row));
+  }
+
+  /// What is to be vacant has no nominal: its verdict is that of what was expected.
+  void add_vacant(const std::string& variable, std::optional<double> measured) {
+    Characteristic row = begin(variable, measured);
+    row.is_as_expected = std::ranges::none_of(
+        run_.result.expectations,
+        [&](const expect::Judged& judged) { return judged.name == variable && !judged.holds; });
     rows_.push_back(std::move(row));
   }
 
@@ -73,6 +90,8 @@ std::vector<Characteristic> results_of(const RunPage& run, const Writers& writer
     if (const auto* const variable = std::get_if<expect::Variable>(&expectation.what)) {
       if (const auto* const within = std::get_if<expect::Within>(&variable->value)) {
         rows.add(variable->name, *within, run.value(expectation.what));
+      } else if (is_vacant(variable->value)) {
+        rows.add_vacant(variable->name, run.value(expectation.what));
       }
     } else if (const auto* const offset = std::get_if<expect::WorkOffset>(&expectation.what)) {
       rows.add(fmt::format("{} {}", offset->name, offset->axis), offset->value,
