@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import test, { after, before } from 'node:test';
-import { launch, open, pageOf } from './browser.mjs';
+import { fileOf, launch, open, pageOf, reportBy } from './browser.mjs';
 import { sampleRun } from './sample_run.mjs';
 import { joined } from '../../tools/page/web/src/edge_chains.js';
 
@@ -59,6 +59,16 @@ test('a document without figures or moves draws what there is', async () => {
   const { document } = sampleRun();
   const bare = { ...document, moves: undefined, calls: undefined, counts: undefined };
   const { notes, close } = await open(browser, pageOf('bare', { document: { ...bare, counts: [] }, figures: { listing: [] } }));
+  assert.deepEqual(notes, []);
+  await close();
+});
+
+test('a run in which nothing moves says so', async (t) => {
+  const file = reportBy('still', ['run', fileOf('wrong.nc', 'O1\n#1=[1\nM30\n'), '-s', 'parts/library/ring_gauge/ring.toml']);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, notes, close } = await open(browser, file);
+  assert.equal((await page.textContent('#chart')).trim(), 'Nothing moved: there is no time to show.');
+  assert.doesNotMatch(await page.innerText('body'), /drawn by the script/);
   assert.deepEqual(notes, []);
   await close();
 });

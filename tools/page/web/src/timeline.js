@@ -22,7 +22,11 @@ export class Timeline {
     this.box = byId('chart');
     this.width = 0;
     this.goesBeyond = false;
-    if (!this.box || !(choice.run.duration > 0)) return;
+    if (!this.box) return;
+    if (!(choice.run.duration > 0)) {
+      this.box.innerHTML = `<p class="limits">${esc(word('timeline_empty'))}</p>`;
+      return;
+    }
     this.ranges = rangesOf(choice.run);
     let scrubs = false;
     this.box.addEventListener('pointerdown', (event) => {

@@ -16,6 +16,7 @@ const ENGLISH = {
   timeline_calls: 'Calls',
   timeline_motion: 'Motion',
   timeline_aria: 'Time line of {time} seconds: touches, calls, kinds of motion, axis positions',
+  timeline_empty: 'Nothing moved: there is no time to show.',
   collision_at: 'collision, {time} s',
   plan_view: 'Plan view',
   plan_part: 'Part',
