@@ -1,7 +1,7 @@
 // What figures show, against closed forms: sections, circles, the run at a time, captions, marks.
 import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
-import { launch, open, pageOf } from './browser.mjs';
+import { launch, open, pageOf, reportBy } from './browser.mjs';
 import { BORE, PIN, sampleRun } from './sample_run.mjs';
 import { decimalsWithin } from '../../tools/page/web/src/markup.js';
 import { approachOf, drawApproaches } from '../../tools/page/web/src/plan_approaches.js';
@@ -440,6 +440,27 @@ test('the other run is a dashed ghost in plan and time line', async () => {
   for (const place of ['#plan .ghost', '#chart .ghost']) {
     assert.ok(await page.locator(place).count() > 0, place);
     assert.match(await page.locator(place).first().getAttribute('stroke-dasharray'), /\d/);
+  }
+  await close();
+});
+
+// Two steps of a shaft are touched at one place as seen from above, its spindle turned by half a turn.
+test('a plan of a part that an axis turns is in its coordinates, and none of its values lies on a ball', async (t) => {
+  const SHAFT = 'parts/library/turned_shaft';
+  const file = reportBy('shaft', ['run', `${SHAFT}/measure_shaft.mpf`, '-s', `${SHAFT}/lathe.toml`]);
+  if (file === null) return t.skip('this g31 writes no pages');
+  const { page, close } = await open(browser, file);
+  assert.match(await page.textContent('#planhead'), /shaft, coordinates of the part, section/);
+  for (let n = 0; n < 4; ++n) {
+    await page.keyboard.press(']');
+    const [values, balls] = await page.evaluate(() => ['text.halo[font-size="12"]', 'circle[stroke="var(--ink3)"]'].map((css) =>
+      [...document.querySelectorAll(`#plan ${css}`)].map((one) => one.getBoundingClientRect().toJSON())));
+    assert.ok(values.length > 0 && balls.length > 0);
+    for (const value of values) {
+      for (const ball of balls) {
+        assert.ok(value.right < ball.left + 1 || value.left > ball.right - 1 || value.bottom < ball.top || value.top > ball.bottom, `touch ${n}`);
+      }
+    }
   }
   await close();
 });

@@ -193,6 +193,7 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
       opened.ways.track(),
       opened.ways.contacts(),
       opened.ways.collisions(),
+      opened.ways.is_of_part(),
       picture::parts_of(opened.world, opened.prepared.job, opened.ways.shown().q_M),
       command_of(opened.options),
       opened.other};

@@ -170,24 +170,24 @@ Json names_json(const RunPage& run, const FileNames& names) {
   return object;
 }
 
-/// The work coordinates of the touches where all of them have the same, not turned; else those of
-/// the machine.
+/// The work coordinates of the touches where all of them have the same, not turned; else those that
+/// the pictures are in.
 Json frame_json(const RunPage& run, const TouchGeometries& geometries, const Report& report) {
   constexpr double kSame = 1e-6;  // mm
-  const Json of_machine = {{"name", text_of(Word::MachineCoordinates, report.language)},
-                           {"origin", {0.0, 0.0, 0.0}}};
+  const Word name = run.is_of_part ? Word::PartCoordinates : Word::MachineCoordinates;
+  const Json of_pictures = {{"name", text_of(name, report.language)}, {"origin", {0.0, 0.0, 0.0}}};
   std::optional<Point> origin;
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     if (geometries[i].p_M_ball) {
       const Point from_here =
           *geometries[i].p_M_ball - linear_axes(run.recorder.touches()[i].view.q_L);
       if (origin && (*origin - from_here).norm() > kSame) {
-        return of_machine;
+        return of_pictures;
       }
       origin = from_here;
     }
   }
-  return origin ? Json{{"name", report.frame}, {"origin", array_of(*origin)}} : of_machine;
+  return origin ? Json{{"name", report.frame}, {"origin", array_of(*origin)}} : of_pictures;
 }
 
 Json words_json(Language language) {

@@ -33,6 +33,7 @@ struct RunPage {
   const picture::Track& track;                ///< of what goes the ways
   std::span<const picture::Mark> contacts;    ///< of skip moves
   std::span<const picture::Mark> collisions;  ///< the last one is what ended the run
+  bool is_of_part;  ///< all of them are in the frame of the part, which rotary axes turn
   std::vector<picture::PicturedPart> parts;
   std::string command;              ///< that repeats the run
   const OtherRun* other = nullptr;  ///< that is shown beside it; nullptr: none

@@ -10,6 +10,9 @@ const BESIDE = 3.6; // px between the whiskers of one place
 /** @typedef {{x: number, y: number, w: number, h: number}} Rect */
 /** @typedef {{contact: Contact, at: import('./section').Flat, into: import('./section').Flat, beside: number}} Whisker */
 
+/** Where other labels stand, and balls, on which no value is readable.
+ * @typedef {{taken: Rect[], covered: Rect[]}} Room */
+
 /** @param {Rect} a @param {Rect} b */
 const overlap = (a, b) => a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
 
@@ -23,8 +26,10 @@ export function whiskersOf(view, page, chosen) {
   const order = [...whiskers].sort((a, b) => rank(a.contact, chosen) - rank(b.contact, chosen));
   /** @type {Rect[]} */
   const taken = [{ x: page.width - 110, y: page.height - 84, w: 110, h: 84 }, ...crashBoxes(view, page)];
-  const labels = order.slice(0, LABELS).map((whisker) => label(whisker, view, page, chosen, taken));
-  return balls(view, page) + bars(whiskers, view, page) + labels.reverse().join('');
+  const balls = ballsOf(view, page);
+  const covered = balls.map(({ x, y, radius }) => ({ x: x - radius, y: y - radius, w: 2 * radius, h: 2 * radius }));
+  const labels = order.slice(0, LABELS).map((whisker) => label(whisker, view, page, chosen, { taken, covered }));
+  return circles(balls) + bars(whiskers, view, page) + labels.reverse().join('');
 }
 
 /** @param {Contact} contact @param {number | null} chosen */
@@ -50,20 +55,25 @@ function placed(view) {
   return [...groups.values()].flat();
 }
 
-/** @param {import('./plan_view').PlanView} view @param {import('./plan').Sheet} page */
-function balls(view, page) {
-  const seen = new Set();
-  return view.contacts.map(({ ball, radius: own }) => {
-    if (!ball) return '';
+/** Where balls stand, px; those of about one place are one. @param {import('./plan_view').PlanView} view
+ * @param {import('./plan').Sheet} page */
+function ballsOf(view, page) {
+  /** @type {Map<string, {x: number, y: number, radius: number}>} */
+  const balls = new Map();
+  for (const { ball, radius: own } of view.contacts) {
+    if (!ball) continue;
     const radius = own * page.scale;
     const [x, y] = page.at(flat(ball, view.plane));
     const key = `${Math.round(x / 3)} ${Math.round(y / 3)} ${Math.round(radius)}`;
-    if (seen.has(key)) return '';
-    seen.add(key);
-    return `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius.toFixed(1)}" fill="var(--paper)" fill-opacity=".55" `
-      + `stroke="var(--ink3)"/><circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="1.6" fill="var(--ink3)"/>`;
-  }).join('');
+    if (!balls.has(key)) balls.set(key, { x, y, radius });
+  }
+  return [...balls.values()];
 }
+
+/** @param {ReturnType<typeof ballsOf>} balls */
+const circles = (balls) => balls.map(({ x, y, radius }) => `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius.toFixed(1)}" `
+  + 'fill="var(--paper)" fill-opacity=".55" stroke="var(--ink3)"/>'
+  + `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="1.6" fill="var(--ink3)"/>`).join('');
 
 /** px of a place so deep in the wall, magnified. @param {Whisker} whisker @param {number} depth mm
  * @param {import('./plan_view').PlanView} view @param {import('./plan').Sheet} page */
@@ -103,8 +113,9 @@ function bars(whiskers, view, page) {
 
 /** Number and value behind the end of a whisker; the value only where it has room, the number moved out until it has.
  * @param {Whisker} whisker @param {import('./plan_view').PlanView} view @param {import('./plan').Sheet} page
- * @param {number | null} chosen @param {Rect[]} taken */
-function label(whisker, view, page, chosen, taken) {
+ * @param {number | null} chosen @param {Room} room */
+function label(whisker, view, page, chosen, room) {
+  const { taken } = room;
   const { contact } = whisker;
   const isChosen = contact.number === chosen;
   const [du, dv] = whisker.into;
@@ -122,21 +133,21 @@ function label(whisker, view, page, chosen, taken) {
     const box = { x: x - 11, y: y - 9.5, w: 22, h: 19 };
     if (taken.some((other) => overlap(other, box))) continue;
     taken.push(box);
-    return mark(contact, x, y, isChosen) + (view.magnification ? value(contact, x, y, isBoss ? -du : du, page, taken, isChosen) : '');
+    return mark(contact, x, y, isChosen) + (view.magnification ? value(contact, x, y, isBoss ? -du : du, page, room, isChosen) : '');
   }
   return '';
 }
 
 /** @param {Contact} contact @param {number} x @param {number} y @param {number} du @param {import('./plan').Sheet} page
- * @param {Rect[]} taken @param {boolean} isChosen */
-function value(contact, x, y, du, page, taken, isChosen) {
+ * @param {Room} room @param {boolean} isChosen */
+function value(contact, x, y, du, page, { taken, covered }, isChosen) {
   if (contact.deviation == null) return '';
   const text = um(contact.deviation + (contact.partDeviation ?? 0)) + (page.width < 460 ? '' : ' µm');
   const wide = text.length * 7.3;
   for (const side of du < -0.3 ? [-1, 1] : [1, -1]) {
     const from = x + side * 13;
     const box = { x: side > 0 ? from : from - wide, y: y - 8, w: wide, h: 16 };
-    if (box.x < 2 || box.x + box.w > page.width - 2 || taken.some((other) => overlap(other, box))) continue;
+    if (box.x < 2 || box.x + box.w > page.width - 2 || [...taken, ...covered].some((other) => overlap(other, box))) continue;
     taken.push(box);
     const bold = contact.counts || isChosen;
     return `<text x="${from.toFixed(1)}" y="${(y + 4).toFixed(1)}" font-size="12" class="halo"${bold ? ' font-weight="600"' : ''} `
