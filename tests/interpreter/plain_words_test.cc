@@ -24,7 +24,7 @@ class Texts {
     for (std::size_t block = 0; block < 1 + below(4); ++block) {
       text += pick({"", "N10 ", "N", "/", "/2 N3", "n7", "N123456789 "});
       for (std::size_t word = 0; word < below(7); ++word) {
-        text += pick({"X", "Y", "Z", "G", "F", "M", "x", "I", ",C", "S", "A"});
+        text += pick({"X", "Y", "Z", "G", "F", "M", "x", "I", ",C", "S", "A", "N", "O"});
         text += pick({"", "", "", "-", "-", "+", "- ", " "});
         text += number();
         text += pick({"", " ", "  ", " ", "\t", "(c)", "\r", " \r"});
@@ -122,6 +122,20 @@ void expect_alike(const syntax::Tree& tree, const syntax::Tree& wide, const std:
   }
 }
 
+/// What a block says of all its words at once.
+void expect_summed_up(const syntax::Tree& tree, const std::string& text) {
+  for (const syntax::Block& block : tree.blocks) {
+    std::uint32_t letters = 0;
+    for (std::size_t i = 0; block.is_plain && i < block.word_count; ++i) {
+      const syntax::Word& word = tree.words[block.first_word + i];
+      letters |= syntax::letter_bit(word.letter);
+      ASSERT_LE(word.digits, block.digits) << text;
+    }
+    ASSERT_TRUE(!block.is_plain || block.kind == syntax::BlockKind::Bad || block.letters == letters)
+        << text;
+  }
+}
+
 TEST(PlainWords, AreReadAsThoseThatAreWrittenOtherwise) {
   Texts texts(31);
   std::size_t words = 0;
@@ -131,6 +145,7 @@ TEST(PlainWords, AreReadAsThoseThatAreWrittenOtherwise) {
     const std::string text = "O1\n" + texts.next();
     const syntax::Tree tree = fanuc::parse(text);
     ASSERT_NO_FATAL_FAILURE(expect_alike(tree, fanuc::parse(spread(text)), text));
+    ASSERT_NO_FATAL_FAILURE(expect_summed_up(tree, text));
     words += tree.words.size();
     errors += tree.errors.size();
   }
