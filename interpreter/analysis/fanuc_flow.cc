@@ -52,6 +52,7 @@ class FanucTranslation {
   void call(const syntax::Block& block, const Word& code);
   void local_target(const syntax::Block& block, const Word& code);
   [[nodiscard]] bool is_missing_block(const Word& word) const;
+  void tell_missing_block(const Word& word);
   [[nodiscard]] std::string target_of(const Word& p) const;
   void add_unsimulated(const Word& code);
   void constant_jump(const Step& step, Index index, double sequence);
@@ -250,7 +251,7 @@ void FanucTranslation::local_target(const syntax::Block& block, const Word& code
     builder_.fault(fault_of(AlarmId::CallWithoutProgram, code.span, "M97 without P"));
     stops_ = !may_be_skipped;
   } else if (p != nullptr && is_missing_block(*p)) {
-    builder_.fault(fault_of(AlarmId::SequenceNotFound, p->span, fmt::format("no N{}", p->number)));
+    tell_missing_block(*p);
     stops_ = calls && !may_be_skipped;
   }
 }
@@ -259,6 +260,11 @@ void FanucTranslation::local_target(const syntax::Block& block, const Word& code
 bool FanucTranslation::is_missing_block(const Word& word) const {
   return word.form == ValueForm::Integer && program_.extent == fanuc::Extent::Whole &&
          !program_.find_label(static_cast<std::int32_t>(word.number), 0);
+}
+
+void FanucTranslation::tell_missing_block(const Word& word) {
+  builder_.fault(
+      fault_of(AlarmId::SequenceNotFound, word.span, fmt::format("no N{}", word.number)));
 }
 
 /// Which program a call names; empty: only a run knows.
@@ -281,8 +287,7 @@ void FanucTranslation::call(const syntax::Block& block, const Word& code) {
                               fmt::format("{}{} without P", code.letter, code.number)));
       stops_ = !may_be_skipped;
     } else if (is_missing_block(*start)) {
-      builder_.fault(
-          fault_of(AlarmId::SequenceNotFound, start->span, fmt::format("no N{}", start->number)));
+      tell_missing_block(*start);
       stops_ = !may_be_skipped;
     } else {
       builder_.call({Call::Kind::Subprogram, to_text(program_.key), false, code.span, {}});

@@ -103,7 +103,7 @@ WrongWord wrong_scaling(const KnownWords& words, syntax::ShortSpan whole,
 KnownWords::KnownWords(std::span<const syntax::Word> words) {
   for (const syntax::Word& word : words) {
     if (word.form == syntax::ValueForm::Computed) {
-      open_ |= fanuc::letters_of({&word.letter, 1});
+      open_ |= syntax::letter_bit(word.letter);
     } else {
       words_.add(word);
     }

@@ -20,9 +20,7 @@ class KnownWords {
   [[nodiscard]] const fanuc::BlockWords& words() const { return words_; }
   [[nodiscard]] bool stands(char letter) const { return words_.has(letter) || is_open(letter); }
   /// Whether a number is computed: its word may even disappear.
-  [[nodiscard]] bool is_open(char letter) const {
-    return is_any_open(fanuc::letters_of({&letter, 1}));
-  }
+  [[nodiscard]] bool is_open(char letter) const { return is_any_open(syntax::letter_bit(letter)); }
   [[nodiscard]] bool is_any_open(std::uint32_t letters) const { return (open_ & letters) != 0; }
   /// nullptr: the block has no such word, or its number is computed.
   [[nodiscard]] const fanuc::EvaluatedWord* find(char letter) const {

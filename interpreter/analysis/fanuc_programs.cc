@@ -133,11 +133,10 @@ class FanucPrograms final : public ProgramSet {
     if (called != nullptr) {
       return call.start ? missing_start(*called, *call.start) : std::nullopt;
     }
-    const fanuc::AlarmInfo& row = fanuc::info(
-        key.name.empty() ? fanuc::AlarmId::CalledNotFound : fanuc::AlarmId::CalledNameNotFound);
-    return Fault{Fault::Kind::Block, fanuc::number_of(row, profile_.alarm_numbers), call.where,
-                 fmt::format("{}: {} is in none of the files and folders", row.text, to_text(key)),
-                 std::string(row.remedy)};
+    return fault_of(
+        key.name.empty() ? fanuc::AlarmId::CalledNotFound : fanuc::AlarmId::CalledNameNotFound,
+        Fault::Kind::Block, call.where,
+        fmt::format("{} is in none of the files and folders", to_text(key)));
   }
 
  private:
@@ -147,10 +146,15 @@ class FanucPrograms final : public ProgramSet {
     if (called.find_label(start.sequence, 0)) {
       return std::nullopt;
     }
-    const fanuc::AlarmInfo& row = fanuc::info(fanuc::AlarmId::SequenceNotFound);
-    return Fault{Fault::Kind::Target, fanuc::number_of(row, profile_.alarm_numbers), start.where,
-                 fmt::format("{}: {} has no N{}", row.text, to_text(called.key), start.sequence),
-                 std::string(row.remedy)};
+    return fault_of(fanuc::AlarmId::SequenceNotFound, Fault::Kind::Target, start.where,
+                    fmt::format("{} has no N{}", to_text(called.key), start.sequence));
+  }
+
+  [[nodiscard]] Fault fault_of(fanuc::AlarmId id, Fault::Kind kind, syntax::ShortSpan where,
+                               const std::string& detail) const {
+    const fanuc::AlarmInfo& row = fanuc::info(id);
+    return {kind, fanuc::number_of(row, profile_.alarm_numbers), where,
+            fmt::format("{}: {}", row.text, detail), std::string(row.remedy)};
   }
 
   const fanuc::Profile& profile_;

@@ -57,7 +57,7 @@ void CodeCalls::choose_addresses(const Parameters& parameters, const Profile& pr
   letters = kCodes;
   const auto choose = [this](char letter, const AddressCall& call) {
     by_address.at(static_cast<std::size_t>(letter - 'A')) = call;
-    letters |= letters_of({&letter, 1});
+    letters |= syntax::letter_bit(letter);
   };
   for (const SwitchedCall& row : kSwitchedCalls) {
     if (parameters.is_on(row.parameter) && (profile.has_series_30i_functions() || !row.only_30i)) {
