@@ -9,7 +9,7 @@ namespace g31::testing {
 Result<cli::RunOptions, std::string> parsed_run_options(const std::vector<std::string>& words) {
   CLI::App app;
   cli::RunOptions options;
-  cli::add_run_command(app, options);
+  cli::add_run_options(*app.add_subcommand("run"), options);
   std::vector<const char*> arguments = {"g31", "run"};
   for (const std::string& word : words) {
     arguments.push_back(word.c_str());

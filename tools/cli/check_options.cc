@@ -34,56 +34,52 @@ void add_choice(CLI::App& command, const std::string& name, Value& value,
 
 }  // namespace
 
-CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
-  CLI::App* const check = app.add_subcommand(
-      "check", "Say what is wrong with NC programs without running them: all of it at once.");
+void add_check_options(CLI::App& check, CheckOptions& options) {
   auto* const files =
       check
-          ->add_option("FILE", options.files,
-                       "programs, or folders of them with all folders below; - is standard input")
+          .add_option("FILE", options.files,
+                      "programs, or folders of them with all folders below; - is standard input")
           ->type_name("FILE");
   check
-      ->add_option(
-          "-s,--setup", options.setups,
-          "set-up sheet (TOML) whose control, data and axes programs may name; repeatable, "
-          "later ones win key by key")
+      .add_option("-s,--setup", options.setups,
+                  "set-up sheet (TOML) whose control, data and axes programs may name; repeatable, "
+                  "later ones win key by key")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  add_control_option(*check, options.control,
+  add_control_option(check, options.control,
                      "control profile of all programs; without it as the sheet says, else by file "
                      "ending and content");
   check
-      ->add_option("--lib", options.libraries,
-                   "folder of subprograms, with those below it; repeatable")
+      .add_option("--lib", options.libraries,
+                  "folder of subprograms, with those below it; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  add_choice(*check, "--format", options.format, kFormats,
+  add_choice(check, "--format", options.format, kFormats,
              "text (default), json (the document), sarif (SARIF 2.1.0), github (annotations)");
-  check->add_option("--json", options.json, "document g31.check/1; - is standard output")
+  check.add_option("--json", options.json, "document g31.check/1; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
   check
-      ->add_option("--baseline", options.baseline,
-                   "earlier document of this command: its findings (rule, file, text of the line) "
-                   "are left out")
+      .add_option("--baseline", options.baseline,
+                  "earlier document of this command: its findings (rule, file, text of the line) "
+                  "are left out")
       ->type_name("FILE");
   check
-      ->add_option("--disable", options.disabled,
-                   "leave out findings of this rule; repeatable; in a program "
-                   "(g31: disable=NC003 reason) or ; g31: disable=NC003 reason")
+      .add_option("--disable", options.disabled,
+                  "leave out findings of this rule; repeatable; in a program "
+                  "(g31: disable=NC003 reason) or ; g31: disable=NC003 reason")
       ->type_name("RULE")
       ->allow_extra_args(false);
   add_fail_on_option(
-      *check, options.fail_on,
+      check, options.fail_on,
       "lowest level at which a finding gives exit code 1: error, warning (default), note");
-  auto* const rules = check->add_flag("--rules", options.lists_rules, "list the rules");
-  check->callback([files, rules] {
+  auto* const rules = check.add_flag("--rules", options.lists_rules, "list the rules");
+  check.callback([files, rules] {
     if (files->empty() && rules->empty()) {
       throw CLI::RequiredError("FILE or --rules");
     }
   });
-  add_quiet_option(*check, options.is_quiet);
-  return check;
+  add_quiet_option(check, options.is_quiet);
 }
 
 std::string check_examples() {

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `check` and its options; parsing fills `options`.
-CLI::App* add_check_command(CLI::App& app, CheckOptions& options);
+/// The options of `check`; parsing fills `options`.
+void add_check_options(CLI::App& check, CheckOptions& options);
 
 /// Examples for the help text.
 std::string check_examples();

@@ -1,9 +1,10 @@
 #include "tools/cli/command_line.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <deque>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <span>
 #include <sstream>
@@ -15,39 +16,18 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "tools/cli/check_command.h"
-#include "tools/cli/check_options.h"
+#include "tools/cli/commands.h"
 #include "tools/cli/control_and_level_options.h"
-#include "tools/cli/evaluate_command.h"
-#include "tools/cli/evaluate_options.h"
 #include "tools/cli/exit_code_help.h"
-#include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
 #include "tools/cli/interruption.h"
-#include "tools/cli/judge_command.h"
-#include "tools/cli/judge_options.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/mistyped.h"
-#include "tools/cli/new_command.h"
-#include "tools/cli/new_options.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/pages_command.h"
-#include "tools/cli/pages_options.h"
-#include "tools/cli/plan_command.h"
-#include "tools/cli/plan_options.h"
 #include "tools/cli/read_command_words.h"
 #include "tools/cli/refusal_document.h"
-#include "tools/cli/run_command.h"
-#include "tools/cli/run_options.h"
 #include "tools/cli/run_refusal.h"
-#include "tools/cli/scene_command.h"
-#include "tools/cli/scene_options.h"
-#include "tools/cli/setup_command.h"
-#include "tools/cli/setup_options.h"
-#include "tools/cli/study_command.h"
-#include "tools/cli/study_options.h"
-#include "tools/cli/view_command.h"
-#include "tools/cli/view_options.h"
 #include "tools/cli/write_out.h"
 
 namespace g31::cli {
@@ -62,74 +42,50 @@ std::string exit_code_help(std::string_view command) {
 
 namespace {
 
-/// What the words of a command line come to, for each command.
-struct Options {
-  bool is_version_asked = false;
-  bool is_version_json = false;
-  bool is_quiet = false;  ///< of commands that have no progress to show
-  RunOptions run;
-  ViewOptions view;
-  ExplainOptions explain;
-  SceneOptions scene;
-  StudyOptions study;
-  CheckOptions check;
-  SetupOptions setup;
-  NewOptions starter;
-  EvaluateOptions evaluate;
-  PlanOptions plan;
-  JudgeOptions judge;
-  PagesOptions pages;
-};
+/// The commands as CLI11 knows them.  What may stand behind one is told when that one is asked for,
+/// or all are: to tell it of all of them takes as long as a short run.
+class KnownCommands {
+ public:
+  KnownCommands(CLI::App& app, Options& options) : options_(options) {
+    for (const CommandRow& row : commands()) {
+      CLI::App* const words = app.add_subcommand(std::string(row.name), std::string(row.text));
+      words->preparse_callback([this, &known = known_.emplace_back(Known{&row, words})](
+                                   std::size_t) { tell_options(known); });
+    }
+  }
 
-/// A command of g31, and what does its work.
-struct Command {
-  CLI::App* words;
-  bool lasts;               ///< it ends itself when it is interrupted
-  std::string_view schema;  ///< of its document; "": it has none
-  std::function<ExitCode()> run;
-};
+  void tell_all() {
+    for (Known& known : known_) {
+      tell_options(known);
+    }
+  }
 
-constexpr bool kLasts = true;
-constexpr bool kIsShort = false;
+  /// The command that was given.  @pre one was
+  [[nodiscard]] const CommandRow& asked() const {
+    return *std::ranges::find_if(known_, [](const Known& known) {
+              return known.words->parsed();
+            })->row;
+  }
 
-/// Tells CLI11 of every command, in the order of --help.
-std::vector<Command> add_commands(CLI::App& app, Options& options, const std::string& version) {
-  std::vector<Command> commands;
-  const auto add = [&](bool lasts, std::string_view schema, CLI::App* words,
-                       const std::string& examples, std::function<ExitCode()> run) {
-    words->footer(examples + exit_code_help(words->get_name()));
-    add_quiet_option(*words, options.is_quiet);
-    commands.push_back({words, lasts, schema, std::move(run)});
+ private:
+  struct Known {
+    const CommandRow* row;
+    CLI::App* words;
+    bool is_told = false;
   };
-  const auto words = [&app, version] { return read_command_words(app, version); };
-  add(kLasts, "g31.run/1", add_run_command(app, options.run), run_examples(),
-      [&options] { return run_command(options.run); });
-  add(kLasts, {}, add_view_command(app, options.view), view_examples(),
-      [&options] { return view_command(options.view); });
-  add(kIsShort, "g31.explain/1", add_explain_command(app, options.explain), explain_examples(),
-      [&options] { return explain_command(options.explain); });
-  add(kLasts, "g31.scene/1", add_scene_command(app, options.scene), scene_examples(),
-      [&options] { return scene_command(options.scene); });
-  add(kLasts, "g31.study/1", add_study_command(app, options.study), study_examples(),
-      [&options] { return study_command(options.study); });
-  add(kIsShort, "g31.check/1", add_check_command(app, options.check), check_examples(),
-      [&options] { return check_command(options.check); });
-  add(kIsShort, "g31.setup/1", add_setup_command(app, options.setup), setup_examples(),
-      [&options] { return setup_command(options.setup); });
-  add(kIsShort, "g31.new/1", add_new_command(app, options.starter), new_examples(),
-      [&options] { return new_command(options.starter); });
-  add(kLasts, "g31.evaluation/1", add_evaluate_command(app, options.evaluate), evaluate_examples(),
-      [&options] { return evaluate_command(options.evaluate); });
-  add(kLasts, "g31.plan/1", add_plan_command(app, options.plan), plan_examples(),
-      [&options] { return plan_command(options.plan); });
-  add(kLasts, "g31.judgement/1", add_judge_command(app, options.judge), judge_examples(),
-      [&options] { return judge_command(options.judge); });
-  add(kIsShort, {}, add_completion_command(app, options.pages), completion_examples(),
-      [&options, words] { return completion_command(words(), options.pages); });
-  add(kIsShort, {}, add_manual_command(app, options.pages), manual_examples(),
-      [&options, words] { return manual_command(words(), options.pages); });
-  return commands;
-}
+
+  void tell_options(Known& known) {
+    if (!known.is_told) {
+      known.is_told = true;
+      known.row->add_options(*known.words, options_);
+      known.words->footer(known.row->examples() + exit_code_help(known.row->name));
+      add_quiet_option(*known.words, options_.is_quiet);
+    }
+  }
+
+  Options& options_;
+  std::deque<Known> known_;  // they stay where they are
+};
 
 /// --version and its --json hold without a command; else one has to be given.
 void add_version(CLI::App& app, Options& options) {
@@ -197,19 +153,19 @@ RefusedWords refused_words(std::span<const std::string> words) {
 }
 
 /// The document of words that are refused, where they want one.
-void tell_refused_words(const std::vector<Command>& commands, const Options& options,
-                        std::span<const std::string> words, const std::string& why) {
-  const auto asked = std::ranges::find_if(commands, [&](const Command& command) {
-    return !words.empty() && command.words->get_name() == words.front();
+void tell_refused_words(const Options& options, std::span<const std::string> words,
+                        const std::string& why) {
+  const auto asked = std::ranges::find_if(commands(), [&](const CommandRow& command) {
+    return !words.empty() && command.name == words.front();
   });
   const auto [json, others] = refused_words(words);
-  if (asked == commands.end() || asked->schema.empty() || json.empty()) {
+  if (asked == commands().end() || asked->schema.empty() || json.empty()) {
     return;
   }
   if (wrong_place({{"--json", json}}, {others})) {
     refuse(session::bad_input(fmt::format(
         "--json {}: another word of the command names that, too, so nothing is written", json)));
-  } else if (asked->words->get_name() == "run") {
+  } else if (asked->name == "run") {
     tell_usage_error(options.run, json, why);
   } else if (const auto unwritten = write_refusal(session::bad_input(why), json, asked->schema)) {
     refuse(*unwritten);
@@ -217,9 +173,10 @@ void tell_refused_words(const std::vector<Command>& commands, const Options& opt
 }
 
 /// Does the work of a command.  What ends it from within is told in its document, too.
-ExitCode carried_out(const Command& command, std::span<const std::string> words) {
+ExitCode carried_out(const CommandRow& command, const Options& options, const WordsOfAll& of_all,
+                     std::span<const std::string> words) {
   try {
-    return command.run();
+    return command.run(options, of_all);
   } catch (const std::exception& thrown) {
     return refuse(refusal_of(thrown), command.schema.empty() ? "" : refused_words(words).json,
                   command.schema);
@@ -236,7 +193,11 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   options.evaluate.version = options.plan.version = version;
   options.judge.version = options.check.version = version;
   add_version(app, options);
-  const std::vector<Command> commands = add_commands(app, options, version);
+  KnownCommands known(app, options);
+  const WordsOfAll words_of_all = [&] {
+    known.tell_all();
+    return read_command_words(app, version);
+  };
   app.footer(exit_code_help(""));
   app.failure_message([](const CLI::App* asked, const CLI::Error& error) {
     return "g31: error: " + CLI::FailureMessage::simple(asked, error);
@@ -256,20 +217,19 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
       }
     }
     std::fputs(hint.c_str(), stderr);
-    tell_refused_words(commands, options, words, error.what());
+    tell_refused_words(options, words, error.what());
     return ExitCode::BadUsage;
   }
   if (options.is_version_asked) {
-    return version_command(read_command_words(app, version), options.is_version_json);
+    return version_command(words_of_all(), options.is_version_json);
   }
-  const auto asked = std::ranges::find_if(
-      commands, [](const Command& command) { return command.words->parsed(); });
-  if (asked->lasts) {
+  const CommandRow& asked = known.asked();
+  if (asked.lasts) {
     take_interruptions(options);
   }
-  const ExitCode code = carried_out(*asked, words);
+  const ExitCode code = carried_out(asked, options, words_of_all, words);
   // Input that was waited for until somebody ended the waiting is no bad input.
-  const bool is_broken_off = asked->lasts && code == ExitCode::BadUsage &&
+  const bool is_broken_off = asked.lasts && code == ExitCode::BadUsage &&
                              runtime::is_interrupted(options.run.budget.interruption);
   return is_broken_off ? ExitCode::Interrupted : code;
 }

@@ -21,50 +21,47 @@ void add_limits(CLI::App& command, EvaluateOptions& options) {
 
 }  // namespace
 
-CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
-  CLI::App* const command = app.add_subcommand(
-      "evaluate", "Say what a recorded motion or a file of readings shows about a machine.");
-  command->add_option("KIND", options.kind, "what to evaluate, see below")->required();
+void add_evaluate_options(CLI::App& command, EvaluateOptions& options) {
+  command.add_option("KIND", options.kind, "what to evaluate, see below")->required();
   command
-      ->add_option("FILE", options.file,
-                   "CSV with a line of column names, of 256 MB at most; g31 run --trace writes "
-                   "such files")
+      .add_option("FILE", options.file,
+                  "CSV with a line of column names, of 256 MB at most; g31 run --trace writes "
+                  "such files")
       ->type_name("FILE")
       ->required();
-  command->add_option("--json", options.json, "the results as a document; - is standard output")
+  command.add_option("--json", options.json, "the results as a document; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  command->add_flag("--curves", options.has_curves, "every curve into the document");
-  command->add_option("--svg", options.svg, "a drawing")->type_name("FILE")->check(why_no_place);
-  add_report_options(*command, options.report, options.language);
-  give_drawing_language(*command);
+  command.add_flag("--curves", options.has_curves, "every curve into the document");
+  command.add_option("--svg", options.svg, "a drawing")->type_name("FILE")->check(why_no_place);
+  add_report_options(command, options.report, options.language);
+  give_drawing_language(command);
   command
-      ->add_option("--magnify", options.magnify,
-                   "how many times a drawn circle or square enlarges its errors; 1 is true size")
+      .add_option("--magnify", options.magnify,
+                  "how many times a drawn circle or square enlarges its errors; 1 is true size")
       ->type_name("V")
       ->check(why_no_word);
   command
-      ->add_option("--columns", options.columns,
-                   "what the file calls its columns, for example X=x_act,Y=y_act")
+      .add_option("--columns", options.columns,
+                  "what the file calls its columns, for example X=x_act,Y=y_act")
       ->type_name("NAME=COLUMN,...")
       ->allow_extra_args(false);
   command
-      ->add_option("--unit", options.unit,
-                   "unit of the file's lengths: mm (default), um, nm, m, inch")
+      .add_option("--unit", options.unit,
+                  "unit of the file's lengths: mm (default), um, nm, m, inch")
       ->type_name("UNIT")
       ->check(why_no_word);
-  add_limits(*command, options);
+  add_limits(command, options);
   for (const evaluate::OptionRow& row : evaluate::options()) {
     command
-        ->add_option_function<std::string>(
+        .add_option_function<std::string>(
             std::string(row.option),
             [&options, id = row.id](const std::string& value) { options.given[id] = value; },
             fmt::format("{} ({})", row.text, row.kinds))
         ->type_name(std::string(row.value))
         ->check(why_no_word);
   }
-  add_quiet_option(*command, options.is_quiet);
-  return command;
+  add_quiet_option(command, options.is_quiet);
 }
 
 std::string evaluate_examples() {

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `evaluate` and its options; parsing fills `options`.
-CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options);
+/// The options of `evaluate`; parsing fills `options`.
+void add_evaluate_options(CLI::App& command, EvaluateOptions& options);
 
 /// Examples for the help text.
 std::string evaluate_examples();

@@ -27,39 +27,34 @@ void take_file_of_json(ExplainOptions& options) {
 
 }  // namespace
 
-CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
-  CLI::App* const explain = app.add_subcommand(
-      "explain",
-      "Say what a variable, code, alarm, parameter, function, statement, key of a set-up sheet, "
-      "shape, control, message or exit code means; other words are looked for in all texts.");
+void add_explain_options(CLI::App& explain, ExplainOptions& options) {
   explain
-      ->add_option("TOPIC", options.topics,
-                   "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of "
-                   "a SINUMERIK $AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, "
-                   "PRB301, SET103, 'exit 4'; skip, 'ball diameter'")
+      .add_option("TOPIC", options.topics,
+                  "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of "
+                  "a SINUMERIK $AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, "
+                  "PRB301, SET103, 'exit 4'; skip, 'ball diameter'")
       ->check(why_no_word);
-  auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
-  explain->add_flag("--search", options.search,
-                    "list what has the words in its text, also where something is named so");
+  auto* const all = explain.add_flag("--all", options.all, "everything that the control has");
+  explain.add_flag("--search", options.search,
+                   "list what has the words in its text, also where something is named so");
   add_control_option(
-      *explain, options.control,
+      explain, options.control,
       "control profile (default fanuc-16i; what it does not know is looked for in the others)");
-  explain->add_flag(
+  explain.add_flag(
       "--json{-}", options.json,
       "document g31.explain/1, to FILE behind it where that ends in .json, or by --json=FILE; "
       "else, and with -, to standard output");
   auto* const page =
-      explain->add_option("--page", options.page,
-                          "print a page of docs as the tables make it: set-up-sheet.md, "
-                          "codes.md, reference/cycles.md, ...; of an unknown name all are listed");
+      explain.add_option("--page", options.page,
+                         "print a page of docs as the tables make it: set-up-sheet.md, "
+                         "codes.md, reference/cycles.md, ...; of an unknown name all are listed");
   page->type_name("NAME")->excludes("--json");
-  explain->callback([&options, all, page] {
+  explain.callback([&options, all, page] {
     take_file_of_json(options);
     if (options.topics.empty() && all->empty() && page->empty()) {
       throw CLI::RequiredError("TOPIC, --all or --page");
     }
   });
-  return explain;
 }
 
 std::string explain_examples() {

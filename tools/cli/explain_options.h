@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `explain` and its options; parsing fills `options`.
-CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options);
+/// The options of `explain`; parsing fills `options`.
+void add_explain_options(CLI::App& explain, ExplainOptions& options);
 
 /// Whether a word of `explain` is where its document goes: no topic has such a name.
 bool is_file_of_explain(const std::string& word);

@@ -8,39 +8,36 @@
 
 namespace g31::cli {
 
-CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
-  CLI::App* const command = app.add_subcommand(
-      "judge", "Compare what an inspection program printed with its plan: good, bad, missing.");
+void add_judge_options(CLI::App& command, JudgeOptions& options) {
   command
-      ->add_option("PLAN", options.plan,
-                   "a document g31.plan/1; its measures say id, nominal and tolerance, and printed "
-                   "where the program prints another name than the id in capitals with - for other "
-                   "characters")
+      .add_option("PLAN", options.plan,
+                  "a document g31.plan/1; its measures say id, nominal and tolerance, and printed "
+                  "where the program prints another name than the id in capitals with - for other "
+                  "characters")
       ->type_name("FILE")
       ->required();
   command
-      ->add_option(
+      .add_option(
           "RESULTS", options.results,
           "lines of names and values, or a document g31.run/1 whose program printed them or "
           "wrote them into one file: a file, - for standard input, or a serial line as "
           "DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
       ->type_name("FILE")
       ->required();
-  command->add_option("--json", options.json, "the judgement as a document; - is standard output")
+  command.add_option("--json", options.json, "the judgement as a document; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  add_report_options(*command, options.report, options.language);
-  command->get_option("--report")
+  add_report_options(command, options.report, options.language);
+  command.get_option("--report")
       ->description("one HTML file with the values beside their limits; needs no network");
   constexpr double kShortestWaitS = 0.1;
   constexpr double kLongestWaitS = 86'400.0;
   command
-      ->add_option("--wait", options.wait_s,
-                   "how long a serial line may be silent, until what has not come is missing")
+      .add_option("--wait", options.wait_s,
+                  "how long a serial line may be silent, until what has not come is missing")
       ->type_name("S")
       ->check(number_range(kShortestWaitS, kLongestWaitS))
       ->capture_default_str();
-  return command;
 }
 
 std::string judge_examples() {

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `judge` and its options; parsing fills `options`.
-CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options);
+/// The options of `judge`; parsing fills `options`.
+void add_judge_options(CLI::App& command, JudgeOptions& options);
 
 /// Examples for the help text.
 std::string judge_examples();

@@ -8,20 +8,17 @@
 
 namespace g31::cli {
 
-CLI::App* add_new_command(CLI::App& app, NewOptions& options) {
-  CLI::App* const command = app.add_subcommand(
-      "new", "Make a folder with a measuring program that runs, its set-up sheet and a CI file.");
-  command->add_option("DIR", options.folder, "the folder; it is made where it is missing")
+void add_new_options(CLI::App& command, NewOptions& options) {
+  command.add_option("DIR", options.folder, "the folder; it is made where it is missing")
       ->required()
       ->type_name("DIR")
       ->check(why_no_word);
-  add_control_option(*command, options.control,
+  add_control_option(command, options.control,
                      "what the program is written for (default fanuc-16i): haas, sinumerik-828d, "
                      "0i-MF and so on");
-  command->add_option("--json", options.json, "document g31.new/1; - is standard output")
+  command.add_option("--json", options.json, "document g31.new/1; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  return command;
 }
 
 std::string new_examples() {

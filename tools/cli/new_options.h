@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `new` and its options; parsing fills `options`.
-CLI::App* add_new_command(CLI::App& app, NewOptions& options);
+/// The options of `new`; parsing fills `options`.
+void add_new_options(CLI::App& command, NewOptions& options);
 
 /// Examples for the help text.
 std::string new_examples();

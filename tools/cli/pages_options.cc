@@ -6,13 +6,10 @@
 
 namespace g31::cli {
 
-CLI::App* add_completion_command(CLI::App& app, PagesOptions& options) {
-  CLI::App* const command = app.add_subcommand(
-      "completion", "Print a script by which a shell completes what is typed for g31.");
-  command->add_option("SHELL", options.shell, "the shell")
+void add_completion_options(CLI::App& command, PagesOptions& options) {
+  command.add_option("SHELL", options.shell, "the shell")
       ->required()
       ->check(CLI::IsMember(completion_shells()));
-  return command;
 }
 
 std::string completion_examples() {
@@ -22,11 +19,8 @@ std::string completion_examples() {
          "  g31 completion fish > ~/.config/fish/completions/g31.fish\n\n";
 }
 
-CLI::App* add_manual_command(CLI::App& app, PagesOptions& options) {
-  CLI::App* const command =
-      app.add_subcommand("manual", "Print a page of the manual in the language of man.");
-  command->add_option("COMMAND", options.command, "of this command; without it of g31");
-  return command;
+void add_manual_options(CLI::App& command, PagesOptions& options) {
+  command.add_option("COMMAND", options.command, "of this command; without it of g31");
 }
 
 std::string manual_examples() {

@@ -14,10 +14,10 @@ struct PagesOptions {
   std::string command;
 };
 
-CLI::App* add_completion_command(CLI::App& app, PagesOptions& options);
+void add_completion_options(CLI::App& command, PagesOptions& options);
 std::string completion_examples();
 
-CLI::App* add_manual_command(CLI::App& app, PagesOptions& options);
+void add_manual_options(CLI::App& command, PagesOptions& options);
 std::string manual_examples();
 
 }  // namespace g31::cli

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `plan` and its options; parsing fills `options`.
-CLI::App* add_plan_command(CLI::App& app, PlanOptions& options);
+/// The options of `plan`; parsing fills `options`.
+void add_plan_options(CLI::App& command, PlanOptions& options);
 
 /// Examples for the help text.
 std::string plan_examples();

@@ -111,65 +111,63 @@ void add_expect_option(CLI::App& command, RunOptions& options) {
       ->allow_extra_args(false);
 }
 
-CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
-  CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
-  add_program_options(*run, options);
-  run->add_option(
+void add_run_options(CLI::App& run, RunOptions& options) {
+  add_program_options(run, options);
+  run.add_option(
          "--print", options.prints,
          "variables to report at the end: #100-#149,#5061 or R1,_OVR[4]; all: every one that is "
          "set, locals of the main program included")
       ->type_name("NAMES")
       ->allow_extra_args(false);
-  run->add_option("--json", options.json, "result document; - is standard output")
+  run.add_option("--json", options.json, "result document; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  add_page_options(*run, options);
-  add_expect_option(*run, options);
-  run->add_option("--printer", options.printer,
-                  "where printouts go: a file, - for standard output (default), or a serial line "
-                  "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
+  add_page_options(run, options);
+  add_expect_option(run, options);
+  run.add_option("--printer", options.printer,
+                 "where printouts go: a file, - for standard output (default), or a serial line "
+                 "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
       ->type_name("PRINTER")
       ->check(why_no_printer);
-  run->add_option(
+  run.add_option(
          "--printer-wait", options.printer_wait_s,
          "seconds for which a printer on a line may stop the program at a time (default 30)")
       ->type_name("S")
       ->check(why_no_time);
-  run->add_option("--jsonl", options.jsonl,
-                  "every move, touch, stop, printout and message as it happens, one JSON object a "
-                  "line; - is standard output")
+  run.add_option("--jsonl", options.jsonl,
+                 "every move, touch, stop, printout and message as it happens, one JSON object a "
+                 "line; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  run->add_flag("--changes", options.changes,
-                "every variable, offset and tool datum that the run has changed");
-  add_desk_options(*run, options);
-  run->add_flag("--moves", options.moves, "every move in the document");
-  run->add_flag("--touches", options.touches, "every touch in the document");
-  run->add_flag("--blocks", options.blocks,
-                "in the document how often each block ran, every call with its time, and what "
-                "variables were given");
-  run->add_option("--allow", options.allowed,
-                  "a warning or note that is neither shown nor counted: PRB316; repeatable; in a "
-                  "program (g31: allow PRB316 reason) or ; g31: allow PRB316 reason")
+  run.add_flag("--changes", options.changes,
+               "every variable, offset and tool datum that the run has changed");
+  add_desk_options(run, options);
+  run.add_flag("--moves", options.moves, "every move in the document");
+  run.add_flag("--touches", options.touches, "every touch in the document");
+  run.add_flag("--blocks", options.blocks,
+               "in the document how often each block ran, every call with its time, and what "
+               "variables were given");
+  run.add_option("--allow", options.allowed,
+                 "a warning or note that is neither shown nor counted: PRB316; repeatable; in a "
+                 "program (g31: allow PRB316 reason) or ; g31: allow PRB316 reason")
       ->type_name("CODE")
       ->allow_extra_args(false)
       ->transform(CLI::Validator(take_allowed, ""));
-  add_fail_on_option(*run, options.fail_on,
+  add_fail_on_option(run, options.fail_on,
                      "the least message that makes a completed run exit with 1: error, warning "
                      "(default) or note");
-  run->add_option("--trace", options.trace, "axis positions over time and at the end, a CSV table")
+  run.add_option("--trace", options.trace, "axis positions over time and at the end, a CSV table")
       ->type_name("FILE")
       ->check(why_no_place);
-  run->add_option("--trace-period", options.trace_period,
-                  "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
+  run.add_option("--trace-period", options.trace_period,
+                 "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
       ->type_name("TIME")
       ->needs("--trace");
-  run->add_option("--readings", options.readings,
-                  "what the sensors of the sheet read at every stop (G04, M00, M01, STOPRE), as a "
-                  "table (CSV)")
+  run.add_option("--readings", options.readings,
+                 "what the sensors of the sheet read at every stop (G04, M00, M01, STOPRE), as a "
+                 "table (CSV)")
       ->type_name("FILE")
       ->check(why_no_place);
-  return run;
 }
 
 std::string run_examples() {

@@ -16,8 +16,8 @@ void add_program_options(CLI::App& command, RunOptions& options);
 /// --expect.
 void add_expect_option(CLI::App& command, RunOptions& options);
 
-/// Adds `run` and its options; parsing fills `options`.
-CLI::App* add_run_command(CLI::App& app, RunOptions& options);
+/// The options of `run`; parsing fills `options`.
+void add_run_options(CLI::App& run, RunOptions& options);
 
 /// Examples for the help text.
 std::string run_examples();

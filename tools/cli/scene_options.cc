@@ -12,32 +12,27 @@
 
 namespace g31::cli {
 
-CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
-  CLI::App* const scene = app.add_subcommand(
-      "scene",
-      "Run an NC program and write parts, ways and touches as a glTF 2.0 scene or a picture.  What "
-      "[expect] of a sheet says is judged by g31 run.");
-  add_program_options(*scene, options.run);
+void add_scene_options(CLI::App& scene, SceneOptions& options) {
+  add_program_options(scene, options.run);
   scene
-      ->add_option("-o,--output", options.output,
-                   "a .glb or .gltf file: a scene for any viewer; a .svg or .png file: a "
-                   "picture for documents (.png needs rsvg-convert, Debian: librsvg2-bin)")
+      .add_option("-o,--output", options.output,
+                  "a .glb or .gltf file: a scene for any viewer; a .svg or .png file: a "
+                  "picture for documents (.png needs rsvg-convert, Debian: librsvg2-bin)")
       ->type_name("FILE")
       ->required();
   scene
-      ->add_option("--json", options.run.json,
-                   "how the run ended, as a document g31.scene/1; - is standard output")
+      .add_option("--json", options.run.json,
+                  "how the run ended, as a document g31.scene/1; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  scene->add_option("--width", options.width, "of a picture, pixels")
+  scene.add_option("--width", options.width, "of a picture, pixels")
       ->type_name("PX")
       ->transform(whole_number(picture::kLeastStillPixels, picture::kMostStillPixels))
       ->default_str(std::to_string(picture::StillLook{}.width));
-  scene->add_option("--theme", options.theme, "of a picture: light or dark")
+  scene.add_option("--theme", options.theme, "of a picture: light or dark")
       ->type_name("THEME")
       ->check(CLI::IsMember(std::vector<std::string>{"light", "dark"}))
       ->default_str("light");
-  return scene;
 }
 
 std::string scene_examples() {

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `scene` and its options; parsing fills `options`.
-CLI::App* add_scene_command(CLI::App& app, SceneOptions& options);
+/// The options of `scene`; parsing fills `options`.
+void add_scene_options(CLI::App& scene, SceneOptions& options);
 
 /// Examples for the help text.
 std::string scene_examples();

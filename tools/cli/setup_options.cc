@@ -7,31 +7,27 @@
 
 namespace g31::cli {
 
-CLI::App* add_setup_command(CLI::App& app, SetupOptions& options) {
-  CLI::App* const setup = app.add_subcommand(
-      "setup",
-      "Say what is wrong with set-up sheets, and how they fit a program, without running it.");
-  setup->add_option("SHEET", options.setups, "set-up sheets (TOML); later ones win key by key")
+void add_setup_options(CLI::App& setup, SetupOptions& options) {
+  setup.add_option("SHEET", options.setups, "set-up sheets (TOML); later ones win key by key")
       ->required()
       ->type_name("FILE");
   setup
-      ->add_option("--program", options.programs,
-                   "the program that the sheets are for; it is followed on a machine without parts")
+      .add_option("--program", options.programs,
+                  "the program that the sheets are for; it is followed on a machine without parts")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  add_control_option(*setup, options.control, "control profile, instead of the sheet's");
+  add_control_option(setup, options.control, "control profile, instead of the sheet's");
   setup
-      ->add_option("--lib", options.libraries,
-                   "folder of subprograms, with those below it; repeatable")
+      .add_option("--lib", options.libraries,
+                  "folder of subprograms, with those below it; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  setup->add_option("--json", options.json, "document g31.setup/1; - is standard output")
+  setup.add_option("--json", options.json, "document g31.setup/1; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
   add_fail_on_option(
-      *setup, options.fail_on,
+      setup, options.fail_on,
       "lowest level at which a finding gives exit code 1: error, warning (default), note");
-  return setup;
 }
 
 std::string setup_examples() {

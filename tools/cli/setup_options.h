@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `setup` and its options; parsing fills `options`.
-CLI::App* add_setup_command(CLI::App& app, SetupOptions& options);
+/// The options of `setup`; parsing fills `options`.
+void add_setup_options(CLI::App& setup, SetupOptions& options);
 
 /// Examples for the help text.
 std::string setup_examples();

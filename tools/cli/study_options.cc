@@ -13,41 +13,38 @@
 
 namespace g31::cli {
 
-CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
-  CLI::App* const study = app.add_subcommand(
-      "study", "Run a program many times, with varied set-ups, and report statistics.");
-  study->add_option("STUDY", options.study, "the study file (TOML)")->type_name("FILE");
-  study->add_option("--json", options.json, "the study as a document; - is standard output")
+void add_study_options(CLI::App& study, StudyOptions& options) {
+  study.add_option("STUDY", options.study, "the study file (TOML)")->type_name("FILE");
+  study.add_option("--json", options.json, "the study as a document; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
-  study->add_option("--csv", options.csv, "one line for each run; - is standard output")
+  study.add_option("--csv", options.csv, "one line for each run; - is standard output")
       ->type_name("FILE")
       ->check(why_no_place);
   study
-      ->add_option("--svg", options.svg,
-                   "the drawing of [evaluation]; of several runs FILE-1.svg, FILE-2.svg and so on")
+      .add_option("--svg", options.svg,
+                  "the drawing of [evaluation]; of several runs FILE-1.svg, FILE-2.svg and so on")
       ->type_name("FILE")
       ->check(why_no_place);
-  add_report_options(*study, options.report, options.language);
-  give_drawing_language(*study);
+  add_report_options(study, options.report, options.language);
+  give_drawing_language(study);
   study
-      ->add_option("--threads", options.threads,
-                   "threads; the same bytes with any number (default: one a core)")
+      .add_option("--threads", options.threads,
+                  "threads; the same bytes with any number (default: one a core)")
       ->type_name("N")
       ->transform(whole_number(1, 1024));
-  study->add_option("--repeats", options.repeats, "in the place of the study's own number")
+  study.add_option("--repeats", options.repeats, "in the place of the study's own number")
       ->type_name("N")
       ->transform(whole_number(1, study::kMostRuns));
-  study->add_option("--seed", options.seed, "in the place of the study's own seed")
+  study.add_option("--seed", options.seed, "in the place of the study's own seed")
       ->type_name("N")
       ->transform(whole_number(0, setup::kLargestExact));
-  study->add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
+  study.add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
       ->type_name("i/n")
       ->check(why_no_word);
-  study->add_option("--merge", options.merge, "put the shards together instead of running")
+  study.add_option("--merge", options.merge, "put the shards together instead of running")
       ->type_name("FILE...");
-  add_quiet_option(*study, options.is_quiet);
-  return study;
+  add_quiet_option(study, options.is_quiet);
 }
 
 std::string study_examples() {

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `study` and its options; parsing fills `options`.
-CLI::App* add_study_command(CLI::App& app, StudyOptions& options);
+/// The options of `study`; parsing fills `options`.
+void add_study_options(CLI::App& study, StudyOptions& options);
 
 /// Examples for the help text.
 std::string study_examples();

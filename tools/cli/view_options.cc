@@ -8,17 +8,14 @@
 
 namespace g31::cli {
 
-CLI::App* add_view_command(CLI::App& app, ViewOptions& options) {
+void add_view_options(CLI::App& view, ViewOptions& options) {
   constexpr int kLastPort = 65535;
-  CLI::App* const view = app.add_subcommand(
-      "view", "Show the run of an NC program in a browser, anew whenever a file of it is saved.");
-  add_program_options(*view, options.run);
-  add_expect_option(*view, options.run);
-  add_language_option(*view, options.run.language);
-  view->add_option("--port", options.port, "of 127.0.0.1; 0, the default: any that is free")
+  add_program_options(view, options.run);
+  add_expect_option(view, options.run);
+  add_language_option(view, options.run.language);
+  view.add_option("--port", options.port, "of 127.0.0.1; 0, the default: any that is free")
       ->type_name("N")
       ->transform(whole_number(0, kLastPort));
-  return view;
 }
 
 std::string view_examples() {

@@ -10,8 +10,8 @@ class App;
 
 namespace g31::cli {
 
-/// Adds `view` and its options; parsing fills `options`.
-CLI::App* add_view_command(CLI::App& app, ViewOptions& options);
+/// The options of `view`; parsing fills `options`.
+void add_view_options(CLI::App& view, ViewOptions& options);
 
 /// Examples for the help text.
 std::string view_examples();
