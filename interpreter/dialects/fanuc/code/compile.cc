@@ -89,14 +89,14 @@ void Compiler::mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::st
 
 void Compiler::step(Index block_index) {
   const Block& block = tree_.blocks[block_index];
-  Step step;
+  if (block.sequence >= 0) {
+    out_.labels.push_back({block.sequence, static_cast<Index>(out_.steps.size())});
+  }
+  Step& step = out_.steps.emplace_back();  // a copy would wait for its parts
   step.kind = block.kind;
   step.skip_switch = block.skip_switch;
   step.number = block.number;
   step.block = block_index;
-  if (block.sequence >= 0) {
-    out_.labels.push_back({block.sequence, static_cast<Index>(out_.steps.size())});
-  }
   switch (block.kind) {
     case BlockKind::Empty:
     case BlockKind::Do:
@@ -145,7 +145,6 @@ void Compiler::step(Index block_index) {
   if (auto misuse = expressions_.take_misuse()) {
     mark_bad(step, misuse->id, misuse->where, std::move(misuse->message));
   }
-  out_.steps.push_back(step);
 }
 
 /// A statement in one block with words is that of some controls only.

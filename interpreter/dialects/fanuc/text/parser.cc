@@ -66,23 +66,35 @@ bool Parser::at_folder() const {
   settle(block, begin);
 }
 
-/// A block that begins as nearly every block of a long program does: nothing that block() looks
-/// for before it reads words is there.
-/// @returns false: it begins otherwise, and nothing is stepped over
-bool Parser::plain_block() {
+/// A block as nearly every one of a long program is: words and their numbers, and nothing that
+/// block() looks for before it reads words.
+/// @returns false: it is otherwise, and nothing is stepped over
+[[gnu::hot]] bool Parser::plain_block() {
   const std::uint32_t begin = scanner_.position();
-  Block block;
-  if (tree_.programs.empty() || !scanner_.begins_plainly(block.sequence)) {
+  std::int32_t sequence = -1;
+  if (tree_.programs.empty() || !scanner_.begins_plainly(sequence)) {
     return false;
   }
-  if (at_punched_variable()) {
-    scanner_.rewind(begin);
-    return false;
+  const auto first_word = static_cast<Index>(tree_.words.size());
+  if (!at_punched_variable()) {
+    const PlainWords plain = scanner_.plain_words(tree_.words);
+    if (scanner_.at_line_end() || scanner_.peek() == '\n') {
+      Block& block = tree_.blocks.emplace_back();  // a copy would wait for its parts
+      block.kind = BlockKind::Nc;
+      block.is_plain = true;
+      block.digits = static_cast<std::uint8_t>(plain.digits);
+      block.letters = plain.letters;
+      block.sequence = sequence;
+      block.first_word = first_word;
+      block.word_count = static_cast<Index>(tree_.words.size()) - first_word;
+      block.span = {begin, scanner_.position()};
+      return true;
+    }
   }
-  block.first_word = static_cast<Index>(tree_.words.size());
-  words(block);
-  settle(block, begin);
-  return true;
+  tree_.words.resize(first_word);
+  scanner_.rewind(begin);
+  scanner_.forget_comment();
+  return false;
 }
 
 /// Gives the block its span and its error, and appends it (an IF THEN goes before its statement).
