@@ -88,18 +88,6 @@ Eigen::Vector2d ArcPath::turned(double angle_rad) const {
           direction_from_.x() * sine + direction_from_.y() * cosine};
 }
 
-AxisBox ArcPath::circle_bounds() const {
-  AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
-  const double reach = std::max(radius_from_, radius_to_);
-  box.q_M_min =
-      with_two(box.q_M_min, first_axis_, std::min(box.q_M_min[first_axis_], centre_first_ - reach),
-               second_axis_, std::min(box.q_M_min[second_axis_], centre_second_ - reach));
-  box.q_M_max =
-      with_two(box.q_M_max, first_axis_, std::max(box.q_M_max[first_axis_], centre_first_ + reach),
-               second_axis_, std::max(box.q_M_max[second_axis_], centre_second_ + reach));
-  return box;
-}
-
 AxisBox ArcPath::bounds() const {
   AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
   const double angle_from_rad = std::atan2(direction_from_.y(), direction_from_.x());
@@ -123,15 +111,13 @@ AxisBox ArcPath::bounds() const {
 }
 
 double ArcPath::bend() const {
-  const double radius = std::max(radius_from_, radius_to_);
   return std::abs(turned_rad_) *
-         (radius * std::abs(turned_rad_) + 2.0 * std::abs(radius_to_ - radius_from_));
+         (largest_radius() * std::abs(turned_rad_) + 2.0 * std::abs(radius_to_ - radius_from_));
 }
 
 int ArcPath::chord_count() const {
   // A chord over the angle t is r (1 - cos(t / 2)) from its arc, at most r t^2 / 8.
-  const double radius = std::max(radius_from_, radius_to_);
-  const double chords = std::abs(turned_rad_) * std::sqrt(radius / (8.0 * kChordErrorMm));
+  const double chords = std::abs(turned_rad_) * std::sqrt(largest_radius() / (8.0 * kChordErrorMm));
   return static_cast<int>(std::clamp(std::ceil(chords), 4.0, double{kMostChords}));
 }
 

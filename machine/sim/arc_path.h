@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "machine/port/machine_port.h"
 #include "machine/units/axis_positions.h"
 
@@ -32,6 +34,12 @@ class ArcPath {
   /// mm, halfway along the arc.
   [[nodiscard]] double radius() const { return 0.5 * (radius_from_ + radius_to_); }
 
+  /// mm, of the centre in the plane, in machine coordinates.
+  [[nodiscard]] double centre_first() const { return centre_first_; }
+  [[nodiscard]] double centre_second() const { return centre_second_; }
+  /// mm: nowhere on the arc is the centre farther away.
+  [[nodiscard]] double largest_radius() const { return std::max(radius_from_, radius_to_); }
+
   /// mm in the plane, what the feed counts: the helix axes come on top, as on a control.
   [[nodiscard]] double length() const { return length_; }
 
@@ -44,9 +52,6 @@ class ArcPath {
   /// What the arc covers on each axis: both ends and where it crosses an axis direction.  Those
   /// crossings are taken kFullCircleGapMm short, so that rounding never breaks a travel limit.
   [[nodiscard]] AxisBox bounds() const;
-
-  /// A box around the whole circle and both ends: quicker than bounds(), and never smaller.
-  [[nodiscard]] AxisBox circle_bounds() const;
 
   /// mm: the second derivative of the linear axes by the fraction is nowhere longer.
   [[nodiscard]] double bend() const;

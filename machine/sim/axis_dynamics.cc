@@ -196,11 +196,11 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
 [[gnu::hot]] double AxisDynamics::corner_speed(const AxisPositions& along_before,
                                                const AxisPositions& along_behind) const {
   const AxisPositions change = (along_behind - along_before).cwiseAbs();
+  // All axes are divided at once, without a branch: which of them turn is not to be foretold.
+  const AxisPositions times_s = change.cwiseQuotient(corner_jump_per_s_);
   double slowest = 0.0;
   for (Eigen::Index i = 0; i < change.size(); ++i) {
-    if (change[i] > kSameDirection) {
-      slowest = std::max(slowest, change[i] / corner_jump_per_s_[i]);
-    }
+    slowest = std::max(slowest, change[i] > kSameDirection ? times_s[i] : 0.0);
   }
   return slowest > 0.0 ? 1.0 / slowest : std::numeric_limits<double>::infinity();
 }

@@ -33,6 +33,14 @@ LinearMove straight(const ArcMove& arc) {
   return move;
 }
 
+/// Whether the whole circle of an arc lies within all travel: quicker to know than where it ends.
+bool contain_circle(const TravelLimits& limits, const ArcPath& path) {
+  const double reach = path.largest_radius();
+  return limits.contain(path.from()) && limits.contain(path.to()) &&
+         limits.contain(path.first_axis(), path.centre_first(), reach) &&
+         limits.contain(path.second_axis(), path.centre_second(), reach);
+}
+
 }  // namespace
 
 [[gnu::hot]] void MachiningCentre::expect_legal(const LinearMove& move) {
@@ -141,8 +149,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move_led(const LedPath& pat
   if (path.length() < kFullCircleGapMm) {
     return move(straight(arc));
   }
-  if (const AxisBox circle = path.circle_bounds();
-      !limits_.contain(circle.q_M_min) || !limits_.contain(circle.q_M_max)) {
+  if (!contain_circle(limits_, path)) {
     const AxisBox box = path.bounds();
     for (const AxisPositions& q_M_corner : {box.q_M_min, box.q_M_max}) {
       if (!limits_.contain(q_M_corner)) {

@@ -149,19 +149,20 @@ MotionPhases SpanMotion::phases() const {
 [[gnu::hot]] void PathPlanner::add(double length, const PathLimits& limits, double corner_speed) {
   G31_EXPECTS(length > 0.0 && corner_speed >= 0.0 && limits.speed > 0.0);
   duration_s_.reset();
-  if (spans_.empty()) {
-    spans_.push_back({length, limits, 0.0});
-    return;
+  double begin_speed = 0.0;
+  if (!spans_.empty()) {
+    Span& last = spans_.back();
+    if (are_alike(last.limits, limits) && corner_speed >= last.limits.speed) {
+      last.length += length;
+      return;
+    }
+    begin_speed = std::min({corner_speed, last.limits.speed, limits.speed,
+                            reachable_speed(last.begin_speed, last.length, last.limits)});
   }
-  Span& last = spans_.back();
-  if (are_alike(last.limits, limits) && corner_speed >= last.limits.speed) {
-    last.length += length;
-    return;
-  }
-  const double allowed = std::min({corner_speed, last.limits.speed, limits.speed});
-  spans_.push_back(
-      {length, limits,
-       std::min(allowed, reachable_speed(last.begin_speed, last.length, last.limits))});
+  Span& next = spans_.emplace_back();  // a copy would wait for its parts
+  next.length = length;
+  next.limits = limits;
+  next.begin_speed = begin_speed;
 }
 
 [[gnu::hot]] std::size_t PathPlanner::settled() const {

@@ -22,6 +22,11 @@ class TravelLimits {
     return (q_M - min_).cwiseMin(max_ - q_M).minCoeff() >= 0.0;
   }
 
+  /// Whether one axis may go so far from a place, both ways.
+  [[nodiscard]] bool contain(int axis, double place, double reach) const {
+    return place - reach >= min_[axis] && place + reach <= max_[axis];
+  }
+
   /// The travel of an axis; nullopt: the machine does not have it.
   [[nodiscard]] std::optional<AxisTravel> of(int axis) const;
 
