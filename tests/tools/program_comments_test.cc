@@ -24,7 +24,7 @@ std::string program_with(std::size_t before) {
 
 TEST(ProgramComments, AreFoundWhereverAPieceEnds) {
   const session::Control control = session::control_named("fanuc-30i").value();
-  constexpr std::size_t kPiece = 1U << 18;
+  constexpr std::size_t kPiece = 1U << 16;
   for (std::size_t behind = 0; behind < 12; ++behind) {
     const std::string text = program_with(kPiece - behind);
     testing::FilesInMemory files({{"a.nc", text}});

@@ -55,7 +55,7 @@ ProgramComments::ProgramComments(source::FileSystem& files, const Control& contr
 
 /// Looks at a file piece by piece, each with the beginning of the next, before it is read whole.
 bool ProgramComments::may_have_comments(const std::string& file) {
-  constexpr std::size_t kPiece = 1U << 18;
+  constexpr std::size_t kPiece = 1U << 16;
   const auto size = files_.size(file);
   if (!size || *size > kLongestFile) {
     return !size;

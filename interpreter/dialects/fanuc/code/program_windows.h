@@ -20,7 +20,7 @@ inline constexpr std::uint64_t kWholeFileBytes = 1U << 20;
 inline constexpr std::size_t kWindowBytes = 1U << 16;
 
 /// How much is read at once where only the beginnings of programs are looked for.
-inline constexpr std::size_t kPieceBytes = 1U << 18;
+inline constexpr std::size_t kPieceBytes = 1U << 16;
 
 /// A long program as a run of windows: only one of them is in memory at a time, so that a program
 /// of any size runs in a few megabytes as long as it goes straight on.
