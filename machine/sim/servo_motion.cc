@@ -13,6 +13,14 @@ namespace {
 constexpr double kTurnErrorMm = 1e-4;
 constexpr int kMostPiecesOfPhase = 20'000;
 
+/// Differences of places round, by e: in a piece of duration h the n-th power of the command is
+/// wrong by e / h^n, and the lag takes it times T^n.  So a piece that is a smaller part of T than
+/// these has no third, or no second power, which in so short a time makes no difference (under
+/// 1e-11 mm).  A phase that rounding has left, of 1e-17 s, is such a piece.
+constexpr double kLeastPartOfCubic = 1e-5;
+constexpr double kLeastPartOfParabola = 1e-9;
+constexpr double kLeastTimeConstant_s = 1e-3;  // axes that do not lag, too, divide by h^n
+
 AxisPositions value_of(const std::array<AxisPositions, 4>& cubic, double t) {
   return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]));
 }
@@ -94,6 +102,13 @@ std::array<AxisPositions, 4> command_between(const IndependentPath& path,
   return command;
 }
 
+/// When a piece of a phase is, since the phase began, and how many powers its command has.
+struct PieceTime {
+  double from_s = 0.0;
+  double duration_s = 0.0;
+  int powers = 3;
+};
+
 /// A piece of a phase on a led way as a cubic of the time since its beginning.
 struct LedPiece {
   std::array<AxisPositions, 4> command;
@@ -101,19 +116,28 @@ struct LedPiece {
   bool is_close = false;  ///< within kLedErrorMm of the way
 };
 
-/// Through four points of the way at equal times, and compared with it between them.
-LedPiece led_piece(const LedPath& path, const MotionPhase& phase, double from_s, double to_s) {
-  const double duration_s = to_s - from_s;
+/// Through points of the way at equal times, one more than it has powers, and compared with the way
+/// between them.
+LedPiece led_piece(const LedPath& path, const MotionPhase& phase, const PieceTime& time) {
+  const double duration_s = time.duration_s;
   const auto place = [&](double part) {
-    const double distance = phase.distance_after(from_s + part * duration_s);
+    const double distance = phase.distance_after(time.from_s + part * duration_s);
     return path.at(std::clamp(distance / path.length(), 0.0, 1.0));
   };
+  const AxisPositions none = AxisPositions::Zero();
+  const AxisPositions begin = place(0.0);
   const AxisPositions end = place(1.0);
-  LedPiece piece{cubic_through({place(0.0), place(1.0 / 3.0), place(2.0 / 3.0), end}), end, true};
+  LedPiece piece{{begin, end - begin, none, none}, end, true};
+  if (time.powers == 2) {
+    const AxisPositions bend = 2.0 * (begin + end) - 4.0 * place(0.5);
+    piece.command[1] -= bend;
+    piece.command[2] = bend;
+  } else if (time.powers == 3) {
+    piece.command = cubic_through({begin, place(1.0 / 3.0), place(2.0 / 3.0), end});
+  }
   double scale = 1.0;
-  for (AxisPositions& power : piece.command) {
-    power *= scale;
-    scale /= duration_s;
+  for (int power = 1; power <= time.powers; ++power) {
+    piece.command[static_cast<std::size_t>(power)] *= scale /= duration_s;
   }
   for (const double part : kFurthestFromQuartic) {
     const AxisPositions off = value_of(piece.command, part * duration_s) - place(part);
@@ -228,10 +252,17 @@ void ServoMotion::add_phase(const IndependentPath& path, const MotionPhase& phas
   }
 }
 
+int ServoMotion::powers_of(double duration_s) const {
+  const double part = duration_s / std::max(time_constants_s_.maxCoeff(), kLeastTimeConstant_s);
+  return part < kLeastPartOfParabola ? 1 : part < kLeastPartOfCubic ? 2 : 3;
+}
+
 void ServoMotion::add_phase(const ArcPath& arc, const MotionPhase& phase) {
+  const AxisPositions none = AxisPositions::Zero();
   const double length = arc.length();
   const int count = pieces_of(arc, phase);
   const double h = phase.duration_s / count;
+  const int powers = powers_of(h);
   const auto fraction = [&](int i) {
     return std::clamp(phase.distance_after(i * h) / length, 0.0, 1.0);
   };
@@ -241,9 +272,14 @@ void ServoMotion::add_phase(const ArcPath& arc, const MotionPhase& phase) {
     const AxisPositions v_from = phase.speed_after(i * h) / length * h * arc.slope_at(fraction(i));
     const AxisPositions v_to =
         phase.speed_after((i + 1) * h) / length * h * arc.slope_at(fraction(i + 1));
-    add_piece({q_from, v_from / h, (3.0 * way - 2.0 * v_from - v_to) / (h * h),
-               (v_from + v_to - 2.0 * way) / (h * h * h)},
-              h);
+    Cubic command = {q_from, v_from / h, none, none};
+    if (powers == 2) {
+      command[2] = (way - v_from) / (h * h);
+    } else if (powers == 3) {
+      command[2] = (3.0 * way - 2.0 * v_from - v_to) / (h * h);
+      command[3] = (v_from + v_to - 2.0 * way) / (h * h * h);
+    }
+    add_piece(command, h);
   }
 }
 
@@ -258,17 +294,18 @@ void ServoMotion::add_phase(const LedPath& path, const MotionPhase& phase) {
     const double left_s = phase.duration_s - from_s;
     const bool is_last = left_s <= 1.01 * step_s;
     const double to_s = is_last ? phase.duration_s : from_s + step_s;
-    const LedPiece piece = led_piece(path, phase, from_s, to_s);
-    if (piece.is_close || to_s - from_s <= kShortestPart * phase.duration_s) {
+    const double duration_s = to_s - from_s;
+    const LedPiece piece = led_piece(path, phase, {from_s, duration_s, powers_of(duration_s)});
+    if (piece.is_close || duration_s <= kShortestPart * phase.duration_s) {
       const AxisPositions way = piece.end - piece.command[0];
-      add_piece(piece.command, to_s - from_s);
+      add_piece(piece.command, duration_s);
       pieces_.back().turns_back =
           !path.is_short() || from_s == 0.0 || (way.array() * way_before.array() < 0.0).any();
       way_before = way;
       from_s = to_s;
       step_s *= 1.5;
     } else {
-      step_s = 0.5 * (to_s - from_s);
+      step_s = 0.5 * duration_s;
     }
   }
 }

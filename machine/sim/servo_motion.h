@@ -108,6 +108,8 @@ class ServoMotion {
     bool turns_back = true;  // there an axis may; false: all go on as in the piece before
   };
 
+  /// How many powers of the time the command of a piece has, 1 to 3: see kLeastPartOfCubic.
+  [[nodiscard]] int powers_of(double duration_s) const;
   void add_phase(const StraightPath& path, const MotionPhase& phase);
   void add_phase(const ArcPath& path, const MotionPhase& phase);
   void add_phase(const IndependentPath& path, const MotionPhase& phase);

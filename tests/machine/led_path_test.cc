@@ -12,27 +12,12 @@
 
 #include "machine/sim/machining_centre.h"
 #include "machine/sim/servo_motion.h"
+#include "tests/support/turntable.h"
 
 namespace g31::machine::led_path_test {
 namespace {
 
-/// A table that turns about Z of the machine: the axes follow a point of it.
-class Turntable final : public AxisTransform {
- public:
-  [[nodiscard]] std::optional<AxisPositions> axes_at(const AxisPositions& q_B) const override {
-    return turned(q_B, -q_B[5]);
-  }
-  [[nodiscard]] AxisPositions base_at(const AxisPositions& q_M) const override {
-    return turned(q_M, q_M[5]);
-  }
-  static AxisPositions turned(const AxisPositions& q, double deg) {
-    const double angle = deg * std::numbers::pi / 180.0;
-    AxisPositions result = q;
-    result[0] = std::cos(angle) * q[0] - std::sin(angle) * q[1];
-    result[1] = std::sin(angle) * q[0] + std::cos(angle) * q[1];
-    return result;
-  }
-};
+using testing::Turntable;
 
 AxisPositions at(double x, double y, double z, double c) {
   return (AxisPositions() << x, y, z, 0, 0, c).finished();
