@@ -218,7 +218,7 @@ class MachinePort {
   virtual void change_tool(const ToolChange& change) = 0;
 
   /// The part in whose material a sensing tip is, the axes standing where they are; "": none.
-  [[nodiscard]] virtual std::string stands_inside() const { return {}; }
+  [[nodiscard]] virtual std::string stands_inside() const = 0;
 
   /// Starts a spindle, stops it, or stops it at an angle.  Takes no time.
   virtual void turn_spindle(const SpindleTurn& turn) = 0;
@@ -230,23 +230,23 @@ class MachinePort {
 
   /// The program waits until the axes stand, as where it reads what a move leaves: moves that pass
   /// on do so no further.  Without this they wait for the next one.
-  virtual void stand_still() {}
+  virtual void stand_still() = 0;
 
   /// The program has ended: axes that lag still arrive, which takes no time of the program.
-  virtual void come_to_rest() {}
+  virtual void come_to_rest() = 0;
 
   /// The fault of a move that passed on, found where the machine could not return it; once.  Until
   /// somebody has taken it, from here or from the next move, the machine does nothing.
-  virtual MaybeFault take_late_fault() { return std::nullopt; }
+  virtual MaybeFault take_late_fault() = 0;
 
   /// What holds of the axes until a control says otherwise.
-  [[nodiscard]] virtual AxisData axis_data() const { return {}; }
+  [[nodiscard]] virtual AxisData axis_data() const = 0;
 
   /// Holds from the next move on.
-  virtual void set_axis_data(const AxisData& /*data*/) {}
+  virtual void set_axis_data(const AxisData& data) = 0;
 
   /// The control corrects places by these tables from now on, and by no other ones.
-  virtual void compensate(const std::vector<CompensationTable>& /*tables*/) {}
+  virtual void compensate(const std::vector<CompensationTable>& tables) = 0;
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/dialects/sinumerik/run/session.h"
+#include "machine/port/forwarding_machine.h"
 #include "tests/support/recording_machine.h"
 
 namespace g31::sinumerik_motion_test {
@@ -27,34 +28,14 @@ class OneFile final : public source::FileSystem {
 };
 
 /// Keeps the ends of straight moves.
-class EndsMachine final : public machine::MachinePort {
+class EndsMachine final : public machine::ForwardingMachine {
  public:
-  using Reached = Result<AxisPositions, machine::MachineFault>;
-  Reached move(const machine::LinearMove& move) override {
+  using ForwardingMachine::ForwardingMachine;
+  using ForwardingMachine::move;
+  Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override {
     ends_.push_back(move.q_M_end);
-    return move.q_M_end;
+    return machine_.move(move);
   }
-  Reached move(const machine::ArcMove& move) override { return move.q_M_end; }
-  Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
-      const machine::SkipMove&) override {
-    return machine::SkipOutcome(machine::NoTouch{});
-  }
-  [[nodiscard]] bool skip_signal(int) const override { return false; }
-  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int) const override { return {}; }
-  [[nodiscard]] std::optional<bool> digital_input(int) const override { return {}; }
-  [[nodiscard]] std::optional<double> displacement(int) const override { return {}; }
-  void change_tool(const machine::ToolChange&) override {}
-  void turn_spindle(const machine::SpindleTurn&) override {}
-  void auxiliary_code(const machine::AuxiliaryCode&) override {}
-  void digital_output(const machine::DigitalOutput&) override {}
-  void dwell(double) override {}
-  [[nodiscard]] std::optional<machine::AxisTravel> travel(int /*axis*/) const override {
-    return machine::AxisTravel{};
-  }
-  [[nodiscard]] AxisPositions position() const override {
-    return ends_.empty() ? AxisPositions(AxisPositions::Zero()) : ends_.back();
-  }
-  [[nodiscard]] double time_s() const override { return 0.0; }
   [[nodiscard]] const std::vector<AxisPositions>& ends() const { return ends_; }
 
  private:
@@ -113,7 +94,8 @@ TEST(SinumerikCircles, HaveTheirCentres) {
 }
 
 TEST(SinumerikCircles, InATiltedPlaneStayOnTheCircle) {
-  EndsMachine machine;
+  testing::RecordingMachine recording;
+  EndsMachine machine(recording);
   run("ROT X30 Y20\nG0 X50 Y0 Z3\nG3 X50 Y0 Z3 I-50 J0 F1000\nM30\n", machine);
   // The plane by its own way: the angles of ROT turn about Z, then the new Y, then the new X.
   const double x = 30.0 * std::numbers::pi / 180.0;

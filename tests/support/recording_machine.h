@@ -92,6 +92,15 @@ class RecordingMachine final : public machine::MachinePort {
     commands_.push_back(fmt::format("output {} {}", output.number, output.is_on ? "on" : "off"));
   }
 
+  // Nothing passes on, lags or is wrong.
+  [[nodiscard]] std::string stands_inside() const override { return {}; }
+  void stand_still() override {}
+  void come_to_rest() override {}
+  machine::MaybeFault take_late_fault() override { return std::nullopt; }
+  [[nodiscard]] machine::AxisData axis_data() const override { return {}; }
+  void set_axis_data(const machine::AxisData& /*data*/) override {}
+  void compensate(const std::vector<machine::CompensationTable>& /*tables*/) override {}
+
   void dwell(double seconds) override { log_.push_back(fmt::format("dwell {:.6g}", seconds)); }
 
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int /*axis*/) const override {

@@ -11,6 +11,7 @@
 
 #include "interpreter/runtime/budget_spent.h"
 #include "machine/sim/machining_centre.h"
+#include "tests/support/scripted_surroundings.h"
 #include "tools/picture/tip.h"
 
 namespace g31::picture::way_recorder_test {
@@ -186,6 +187,36 @@ TEST(WayRecorder, FollowsTheToolThatIsCalled) {
   EXPECT_EQ(recorder.stylus().tool, 7);
   recorder.change_tool({{8, 50.0, 5.0}, 1});
   EXPECT_EQ(recorder.stylus().tool, 0);
+}
+
+/// Who watches changes nothing: a control gives its data to the machine behind.
+TEST(WayRecorder, GivesTheMachineWhatTheControlSaysOfItsAxes) {
+  Recorded run;
+  machine::AxisData data = run.recorder.axis_data();
+  EXPECT_EQ(data.stop_fine, run.machine.axis_data().stop_fine);
+  data.jerk_per_s3 = AxisPositions::Constant(400.0);
+  data.stop_fine = AxisPositions::Constant(0.5);
+  run.recorder.set_axis_data(data);
+  EXPECT_EQ(run.machine.axis_data().jerk_per_s3, data.jerk_per_s3);
+  EXPECT_EQ(run.recorder.axis_data().stop_fine, data.stop_fine);
+
+  MachiningCentre alone(quick_axes(), nullptr);
+  alone.set_axis_data(data);
+  ASSERT_TRUE(run.recorder.move(rapid_to(at(100, 30, 0), machine::RapidPath::Independent)).ok());
+  ASSERT_TRUE(alone.move(rapid_to(at(100, 30, 0), machine::RapidPath::Independent)).ok());
+  EXPECT_EQ(run.recorder.time_s(), alone.time_s());
+}
+
+TEST(WayRecorder, GivesTheMachineTheTablesOfTheControl) {
+  const Point p_M_face(40.0, 0.0, 0.0);
+  testing::ScriptedSurroundings world({{'X', p_M_face.x(), 0.0, false, {}}});
+  Recorded run(quick_axes(), Point::Zero(), &world);
+  run.recorder.compensate({{0, {{0, {{0.0, 0.02}, {100.0, 0.02}}}}}});
+  const auto outcome = run.recorder.move_until_skip(feed_to(at(60, 0, 0), 60.0));
+  ASSERT_TRUE(outcome.ok());
+  // The axis stands 0.02 further than its control has it.
+  EXPECT_NEAR(std::get<machine::Touched>(outcome.value()).q_M_latched[0], p_M_face.x() - 0.02,
+              1e-9);
 }
 
 TEST(TipOf, IsTheBallOrTheGaugePoint) {

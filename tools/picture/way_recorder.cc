@@ -46,7 +46,7 @@ int turning_chords(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
 
 WayRecorder::WayRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
                          const Point& p_S_tip, runtime::OutputBudget& budget)
-    : machine_(machine),
+    : ForwardingMachine(machine),
       dynamics_(setup),
       p_S_tip_(p_S_tip),
       chain_(setup.chain, p_S_tip),
@@ -145,6 +145,12 @@ machine::MaybeFault WayRecorder::take_late_fault() {
     mark(*fault);
   }
   return fault;
+}
+
+/// Rapids of each axis on its own are drawn as the machine makes them from now on.
+void WayRecorder::set_axis_data(const machine::AxisData& data) {
+  machine_.set_axis_data(data);
+  dynamics_.set_jerks(data.jerk_per_s3);
 }
 
 StylusPlace WayRecorder::shown() const {

@@ -6,7 +6,7 @@
 
 #include "interpreter/runtime/output_budget.h"
 #include "machine/kinematics/axis_chain.h"
-#include "machine/port/machine_port.h"
+#include "machine/port/forwarding_machine.h"
 #include "machine/sim/axis_dynamics.h"
 #include "machine/sim/motion_listener.h"
 #include "tools/picture/track.h"
@@ -22,7 +22,7 @@ namespace g31::picture {
 /// Where rotary axes turn tool and part against each other, all is told in the frame of the part.
 /// Straight moves are two points, moves of such axes and chords of 5 degrees at most, rapids of
 /// each axis on its own 48 chords; moves of no axis leave no way.
-class WayRecorder final : public machine::MachinePort, public machine::MotionListener {
+class WayRecorder final : public machine::ForwardingMachine, public machine::MotionListener {
  public:
   /// @param machine  not owned: it must outlive the recorder
   /// @param setup    of that machine
@@ -40,33 +40,10 @@ class WayRecorder final : public machine::MachinePort, public machine::MotionLis
   Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
   Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
       const machine::SkipMove& move) override;
-  [[nodiscard]] bool skip_signal(int input) const override { return machine_.skip_signal(input); }
-  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override {
-    return machine_.sensor_state(input);
-  }
-  [[nodiscard]] std::optional<bool> digital_input(int number) const override {
-    return machine_.digital_input(number);
-  }
-  [[nodiscard]] std::optional<double> displacement(int input) const override {
-    return machine_.displacement(input);
-  }
   void change_tool(const machine::ToolChange& change) override;
   void turn_spindle(const machine::SpindleTurn& turn) override;
-  void auxiliary_code(const machine::AuxiliaryCode& code) override {
-    machine_.auxiliary_code(code);
-  }
-  void digital_output(const machine::DigitalOutput& output) override {
-    machine_.digital_output(output);
-  }
-  void dwell(double seconds) override { machine_.dwell(seconds); }
-  void stand_still() override { machine_.stand_still(); }
-  void come_to_rest() override { machine_.come_to_rest(); }
   machine::MaybeFault take_late_fault() override;
-  [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
-    return machine_.travel(axis);
-  }
-  [[nodiscard]] AxisPositions position() const override { return machine_.position(); }
-  [[nodiscard]] double time_s() const override { return machine_.time_s(); }
+  void set_axis_data(const machine::AxisData& data) override;
   void on_motion(const machine::ExecutedMotion& motion) override;
 
   /// Of all motion that the machine told of (tell_motions_to).
@@ -104,7 +81,6 @@ class WayRecorder final : public machine::MachinePort, public machine::MotionLis
   /// Told in the frame of the part, the axes standing there.
   [[nodiscard]] Mark mark_of(const machine::Contact& contact, const AxisPositions& q_M) const;
 
-  machine::MachinePort& machine_;
   machine::AxisDynamics dynamics_;
   Point p_S_tip_;
   Point p_S_probe_ = p_S_tip_;
