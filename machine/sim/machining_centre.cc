@@ -323,8 +323,11 @@ std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path, T
 
 template <typename Curve>
 std::optional<Obstacle> MachiningCentre::obstacle_on(const Curve& path, Travel travel) {
-  const CurvedWay curve{[&path](double fraction) { return path.at(fraction); }, path.bend(),
-                        path.chord_count()};
+  const auto place = [&](double fraction) {
+    real_.look();  // a slow curve beside a part is halved very often
+    return path.at(fraction);
+  };
+  const CurvedWay curve{place, path.bend(), path.chord_count()};
   auto obstacle = surroundings_->first_obstacle(Way(curve), travel);
   G31_EXPECTS(!obstacle || is_fraction(obstacle->fraction));
   return obstacle;

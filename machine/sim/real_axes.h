@@ -102,6 +102,12 @@ class RealAxes {
 
   /// Is looked at in long work on all motions from now on; outlives this.
   void watch(WorkWatch& watch) { loops_.watch = loops_ahead_.watch = &watch; }
+  /// To be called in each step of other long work on a motion.
+  void look() const {
+    if (loops_.watch != nullptr) {
+      loops_.watch->look();
+    }
+  }
 
   /// How near its place an axis has arrived, and what smooths feeds.
   void take(const AxisData& data);
