@@ -51,8 +51,12 @@ class Descriptor {
 /// What a child has of its parent that is not for it.
 void leave_parent() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive who waits for it
-  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM, SIGPIPE}) {
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE}) {
     std::signal(number, SIG_DFL);
+  }
+  // A terminal sends these to both: who waits for it ends it, and says so.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    std::signal(number, SIG_IGN);
   }
   rlimit limit{};
   ::setrlimit(RLIMIT_CORE, &limit);
@@ -104,8 +108,8 @@ std::string read_all(int from, const Steps& steps) {
   for (;;) {
     steps.ask();
     pollfd waiting{from, POLLIN, 0};
-    if (::poll(&waiting, 1, kAskEveryMs) == 0) {
-      continue;
+    if (::poll(&waiting, 1, kAskEveryMs) <= 0) {
+      continue;  // nothing has come, or a signal has: what it means is asked above
     }
     const ssize_t count = ::read(from, piece.data(), piece.size());
     if (count > 0) {

@@ -38,6 +38,40 @@ TEST(WorkApart, NamesTheSignalThatItBreaksOffWith) {
   }
 }
 
+/// Ctrl-C reaches every process of a terminal: the one that waits decides what comes of it.
+TEST(WorkApart, GoesOnWhenATerminalInterruptsAll) {
+  const WorkApart done = done_apart([]() -> std::string {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      std::raise(number);
+    }
+    return "done";
+  });
+  EXPECT_EQ(done.why_not, "");
+  EXPECT_EQ(done.bytes, "done");
+}
+
+void take_no_notice(int /*number*/) {}
+
+/// A signal is no byte: whether the work goes on is asked at once, not when it is done.
+TEST(WorkApart, AsksWhetherItGoesOnWhenASignalComes) {
+  struct sigaction before = {};
+  struct sigaction heard = {};
+  heard.sa_handler = take_no_notice;
+  ASSERT_EQ(::sigaction(SIGUSR1, &heard, &before), 0);
+  const pid_t waiting = ::getpid();
+  int asked = 0;
+  EXPECT_THROW((void)done_apart(
+                   [waiting]() -> std::string {
+                     ::usleep(150'000);
+                     ::kill(waiting, SIGUSR1);
+                     ::sleep(20);
+                     return "nobody has ended it";
+                   },
+                   [&asked] { return ++asked < 6; }),
+               BrokenOff);
+  ::sigaction(SIGUSR1, &before, nullptr);
+}
+
 TEST(WorkApart, ThatThrowsBreaksOff) {
   const WorkApart done = done_apart([]() -> std::string { throw std::runtime_error("no"); });
   EXPECT_EQ(done.why_not, "it breaks off at this file");
