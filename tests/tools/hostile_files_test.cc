@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -156,6 +158,23 @@ TEST(WriteWholeFile, FollowsNoLinkThatSomebodyPlanted) {
   EXPECT_EQ(disk::Disk().read(victim), "untouched");
   EXPECT_EQ(disk::Disk().read(folder.path("file")), "text");
   EXPECT_EQ(folder.names().size(), 2U);
+}
+
+/// In every container g31 is process 1: the number does not tell whose a temporary file is.
+TEST(WriteWholeFile, LeavesWhatAnotherProcessOfOurNumberWrites) {
+  TemporaryFolder folder;
+  const std::string file = folder.path("file");
+  const std::string theirs = folder.write("file." + std::to_string(::getpid()) + ".part", "half");
+  const int held = ::open(theirs.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  EXPECT_EQ(disk::write_whole_file(file, "ours"), std::nullopt);
+  EXPECT_EQ(disk::Disk().read(file), "ours");
+  EXPECT_EQ(disk::Disk().read(theirs), "half");
+  ::close(held);
+  // That process is gone now.
+  EXPECT_EQ(disk::write_whole_file(file, "ours again"), std::nullopt);
+  EXPECT_EQ(disk::Disk().read(file), "ours again");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"file"}));
 }
 
 TEST(WriteWholeFile, RemovesWhatKilledRunsLeftOfTheSameFile) {

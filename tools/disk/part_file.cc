@@ -10,10 +10,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "tools/disk/pipe_stream.h"
+#include "tools/disk/still_at.h"
 
 namespace g31::disk {
 namespace {
@@ -38,8 +40,21 @@ bool is_standard_output(const struct stat& is) {
          output.st_ino == is.st_ino;
 }
 
-std::string temporary_name(const std::string& target) {
-  return fmt::format("{}.{}{}", target, ::getpid(), kSuffix);
+/// The number is that of the process.
+std::string temporary_name(const std::string& target, int number) {
+  return fmt::format("{}.{}{}", target, number, kSuffix);
+}
+
+/// Whether nobody writes a temporary file any more: who does holds its lock (flock).  Numbers alone
+/// do not tell: a process of another container may have ours.
+bool is_abandoned(const std::string& name) {
+  const int descriptor = ::open(name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) {
+    return errno == ELOOP;  // a link, which we have not made
+  }
+  const bool is_held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return !is_held;
 }
 
 /// The process in the name of a temporary file of `target`; 0: it is none of those.
@@ -61,20 +76,44 @@ void remove_left_overs(const fs::path& target) {
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
     const int process = process_in(name, target.filename().string());
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH &&
+        is_abandoned(it->path().string())) {
       std::error_code ignored;
       fs::remove(it->path(), ignored);
     }
   }
 }
 
-/// A file that nobody had; nullptr: errno says why there is none.
-std::FILE* new_file(const std::string& name) {
+/// A file that nobody had, with its lock; below 0: errno says why there is none.
+int new_locked_file(const std::string& name) {
   constexpr mode_t kAsUsual = 0666;  // less what umask takes
   constexpr int kHow = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-  int descriptor = ::open(name.c_str(), kHow, kAsUsual);
-  if (descriptor < 0 && errno == EEXIST && ::unlink(name.c_str()) == 0) {
-    descriptor = ::open(name.c_str(), kHow, kAsUsual);  // of an earlier process of our number
+  for (;;) {
+    const int descriptor = ::open(name.c_str(), kHow, kAsUsual);
+    // Without locks, as on some network drives, it is ours by its number.
+    if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 ||
+        is_still_at(name, descriptor)) {
+      return descriptor;
+    }
+    ::close(descriptor);  // another process has taken it for abandoned before it was locked
+  }
+}
+
+/// A temporary file of a target that nobody had.  @param name  gets its own
+/// @returns nullptr: errno says why there is none
+std::FILE* new_file(const std::string& target, std::string& name) {
+  constexpr int kMostProcesses = 1 << 22;  // as the system numbers them
+  constexpr int kMostOfOneNumber = 100;
+  int descriptor = -1;
+  for (int further = 0; descriptor < 0 && further < kMostOfOneNumber; ++further) {
+    name = temporary_name(target, ::getpid() + further * kMostProcesses);
+    descriptor = new_locked_file(name);
+    if (descriptor < 0 && errno != EEXIST) {
+      break;
+    }
+    if (descriptor < 0 && is_abandoned(name) && ::unlink(name.c_str()) == 0) {
+      descriptor = new_locked_file(name);
+    }
   }
   return descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
@@ -169,8 +208,8 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   }
   remove_left_overs(target.value());
   const std::string name = target.value().string();
-  const std::string temporary = temporary_name(name);
-  std::FILE* const file = new_file(temporary);
+  std::string temporary;
+  std::FILE* const file = new_file(name, temporary);
   if (file == nullptr) {
     return last_error();
   }
@@ -227,9 +266,14 @@ void PartFile::flush() {
 }
 
 std::optional<std::string> PartFile::finish() {
+  // It stays locked until it has its name.
+  const int lock = temporary_.empty() ? -1 : ::fcntl(::fileno(file_), F_DUPFD_CLOEXEC, 0);
   close();
   if (!temporary_.empty()) {
     give_name();
+  }
+  if (lock >= 0) {
+    ::close(lock);
   }
   return error_ == 0 ? std::nullopt : std::optional(words_for(error_));
 }
