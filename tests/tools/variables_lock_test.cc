@@ -98,6 +98,19 @@ TEST(VariablesLock, IsHeldByOneAndGoneWithIt) {
   EXPECT_TRUE(FileLock::take(file, kNoPatienceS).ok());
 }
 
+/// A file of somebody is neither written over nor removed.
+TEST(VariablesLock, TakesNoFileThatIsNone) {
+  const TemporaryFolder folder;
+  const std::string foreign = folder.write("kept.vars.lock", "O1\nM30\n");
+  const auto lock = FileLock::take(folder.path("kept.vars"), kNoPatienceS);
+  ASSERT_FALSE(lock.ok());
+  EXPECT_EQ(lock.error().kind, LockRefusal::Kind::Foreign);
+  EXPECT_EQ(text_of(foreign), "O1\nM30\n");
+  const auto run = testing::run_program(options_of(folder, "O1\n#500=#500+1\nM30\n", "kept.vars"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(text_of(foreign), "O1\nM30\n");
+}
+
 /// What a killed run leaves is no lock, and what it kept is whole.
 TEST(VariablesLock, IsNotLeftByAKilledRun) {
   const TemporaryFolder folder;

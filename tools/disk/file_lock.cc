@@ -11,8 +11,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "tools/disk/still_at.h"
 
 namespace g31::disk {
 namespace {
@@ -22,12 +23,10 @@ using LockClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBetweenAttempts(10);
 
-/// Whether the file at a path is the open one: another process may have removed that one meanwhile.
-bool is_still_at(const std::string& path, int descriptor) {
-  struct stat open = {};
-  struct stat there = {};
-  return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &there) == 0 &&
-         open.st_dev == there.st_dev && open.st_ino == there.st_ino;
+/// What a lock says: the number of its process, or nothing; NUL where a machine lost its power.
+bool is_lock(std::string_view text) {
+  constexpr std::string_view kSays("0123456789\n\0", 12);
+  return text.find_first_not_of(kSays) == std::string_view::npos;
 }
 
 /// Says in the file who holds it.
@@ -38,14 +37,17 @@ void sign(int descriptor) {
   }
 }
 
-std::string holder_of(int descriptor) {
+/// The beginning of the file, longer than any number of a process.
+std::string text_of(int descriptor) {
   char text[16] = {};
-  const ssize_t read = ::pread(descriptor, text, sizeof text - 1, 0);
-  const std::string_view line(text, read > 0 ? static_cast<std::size_t>(read) : 0);
-  const std::string_view number = line.substr(0, line.find('\n'));
-  const bool is_number =
-      !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
-  return is_number ? fmt::format("process {}", number) : "another process";
+  const ssize_t read = ::pread(descriptor, text, sizeof text, 0);
+  return {text, read > 0 ? static_cast<std::size_t>(read) : 0};
+}
+
+std::string holder_of(int descriptor) {
+  const std::string text = text_of(descriptor);
+  const std::string number = text.substr(0, text.find('\n'));
+  return is_lock(text) && !number.empty() ? fmt::format("process {}", number) : "another process";
 }
 
 /// One that another user made can be locked, too; below 0: there can be none.
@@ -67,13 +69,16 @@ bool lacks_folder(const std::string& path) {
 }
 
 /// What came of one attempt; errno says why it failed.
-enum class Attempt { Taken, Gone, Failed };
+enum class Attempt { Taken, Gone, Foreign, Failed };
 
 Attempt attempt(const std::string& path, int descriptor) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     return Attempt::Failed;
   }
-  return is_still_at(path, descriptor) ? Attempt::Taken : Attempt::Gone;
+  if (!is_still_at(path, descriptor)) {
+    return Attempt::Gone;
+  }
+  return is_lock(text_of(descriptor)) ? Attempt::Taken : Attempt::Foreign;
 }
 
 /// nullopt: nothing can be replaced there.
@@ -108,6 +113,10 @@ Result<std::shared_ptr<FileLock>, LockRefusal> FileLock::take(const std::string&
       lock->descriptor_ = descriptor;
       lock->path_ = *lock_path;
       break;
+    }
+    if (came == Attempt::Foreign) {
+      ::close(descriptor);
+      return LockRefusal{LockRefusal::Kind::Foreign, *lock_path};
     }
     const int error = errno;
     const std::string holder = holder_of(descriptor);

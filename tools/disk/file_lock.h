@@ -11,6 +11,7 @@ namespace g31::disk {
 struct LockRefusal {
   enum class Kind {
     Held,         ///< by another process, all the time that was waited
+    Foreign,      ///< FILE.lock, whose path `why` is, is a file of somebody that is no lock
     Unsupported,  ///< the file system keeps no locks
     Unwritable    ///< nothing can be made in its folder, so neither can the file be written anew
   };

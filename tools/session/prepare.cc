@@ -134,6 +134,12 @@ std::optional<Refusal> lock_variables(Prepared& prepared) {
                     "give each run a variables_file of its own",
                     path, kPatienceS, lock.error().why));
   }
+  if (lock.error().kind == disk::LockRefusal::Kind::Foreign) {
+    return bad_input(
+        fmt::format("{}: while a run keeps its variables there, {} says so, and that is a file of "
+                    "yours: rename one of them",
+                    path, lock.error().why));
+  }
   if (lock.error().kind == disk::LockRefusal::Kind::Unwritable) {
     return not_savable(path, lock.error().why);
   }
