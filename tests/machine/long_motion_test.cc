@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 
 #include "machine/sim/machining_centre.h"
 #include "machine/sim/velocity_loop.h"
+#include "tests/support/world_of_pieces.h"
 
 namespace g31::machine::long_motion_test {
 namespace {
@@ -75,6 +77,29 @@ class CountingSink final : public TraceSink {
   void on_sample(const TraceSample& /*sample*/) override { ++samples; }
   std::uint64_t samples = 0;
 };
+
+/// Asks for many places of a curve, as of a slow one close to a part.
+class Asking final : public testing::WorldOfPieces {
+ public:
+  std::optional<Obstacle> first_obstacle(const Way& way, Travel /*travel*/) override {
+    for (int i = 0; i <= 5000; ++i) {
+      (void)way.curve()->q_M_at(i / 5000.0);
+    }
+    return std::nullopt;
+  }
+};
+
+TEST(LongMotion, AlongACurveIsWatched) {
+  Asking world;
+  MachiningCentre machine(MachineSetup(), &world);
+  Impatient watch(1000);
+  machine.watch(watch);
+  ArcMove arc;
+  arc.q_M_end << 0, 20, 0, 0, 0, 0;
+  arc.centre_second = 10.0;
+  arc.feed_mm_min = 600.0;
+  EXPECT_THROW((void)machine.move(arc), std::runtime_error);
+}
 
 TEST(LongMotion, OfATraceIsWatched) {
   MachineSetup setup;
