@@ -35,6 +35,8 @@ without a word: what they say has nothing to act on here.
   chamfer or a rounding cuts the way, that is the mean of the whole.  A thread (G33) begins at once, wherever the spindle
   stands.
 * A Fanuc tapping cycle (G74, G84) goes in and out once, whatever its Q: pecks of rigid tapping are passed over (PRB304).
+* Where axes lag, or moves pass on into each other, a collision is found when the axes come to it, behind blocks that
+  have been read ahead: what these have set, printed and counted stays, with the times at which it would have been.
 * There is one channel: programs of several channels wait for nobody.
 * A Fanuc main program of more than 1 MiB is read while it runs: a block that cannot be understood ends the run where it
   comes there (exit code 2); with a shorter one nothing moves then.  `g31 check` reads the whole of both.
