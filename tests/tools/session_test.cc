@@ -56,6 +56,7 @@ class RunInMemory {
   [[nodiscard]] Ending ending() const { return ending_of(outcome_); }
   [[nodiscard]] double value(const std::string& name) { return number_of(run_->session(), name); }
   [[nodiscard]] const Run& run() const { return *run_; }
+  [[nodiscard]] std::size_t level_count() const { return run_->session().call_levels().size(); }
   [[nodiscard]] double machine_time_s() const { return machine_.time_s(); }
 
  private:
@@ -102,6 +103,31 @@ TEST(Session, AnAlarmIsAnEndingOfItsOwn) {
   EXPECT_EQ(RunInMemory(kSinumerik, {{"MAIN.MPF", "SETAL(65000)\nM30\n"}}).ending(), Ending::Alarm);
   EXPECT_EQ(RunInMemory(kFanuc, {{"main.nc", "O0001\nG31X1.F100\n#1=#5061\nM30\n"}}).ending(),
             Ending::Findings);
+}
+
+TEST(Session, WhatHasNotBegunHasNoLevelsToLookInto) {
+  struct Case {
+    const char* name;
+    const char* text;
+    Ending ending;
+  };
+  const Case kCases[] = {
+      {"no program at all", "", Ending::BadInput},
+      {"an alarm in a definition file", "%_N_MGUD_DEF\nDEF CHAN REAL LAST\nG77\n%_N_MAIN_MPF",
+       Ending::Alarm},
+      {"an alarm in a program that a definition file calls",
+       "%_N_UGUD_DEF\nSUB\n%_N_SUB_SPF\nPROC SUB\nDEF REAL OWN\nG77\nM17\n%_N_MAIN_MPF\nM30\n",
+       Ending::Alarm},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    RunInMemory run(kSinumerik, {{"MAIN.MPF", c.text}});
+    EXPECT_EQ(run.ending(), c.ending);
+    EXPECT_EQ(run.value("R3"), 0.0);
+    EXPECT_EQ(run.level_count(), 0U);
+    EXPECT_EQ(run.value("R4"), 0.0) << "the first look has left nothing";
+  }
+  EXPECT_EQ(RunInMemory(kFanuc, {{"main.nc", ""}}).level_count(), 0U);
 }
 
 /// A box whose wall towards -X stands at X = 50, and a ball of 6 mm.

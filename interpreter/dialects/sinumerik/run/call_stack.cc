@@ -45,7 +45,8 @@ source::Location CallStack::place_of(std::size_t which) const {
   }
   const CompiledProgram& program = *level(which).program;
   const std::int32_t step = which == depth_ ? current_ : std::max(level(which).step - 1, 0);
-  return location_in(program, program.spans[static_cast<std::size_t>(step)]);
+  const auto at = static_cast<std::size_t>(step);
+  return location_in(program, at < program.spans.size() ? program.spans[at] : ShortSpan());
 }
 
 std::size_t CallStack::shown_level() const {
@@ -71,8 +72,10 @@ std::vector<runtime::CallSite> CallStack::waiting_on(const Level& level) {
 
 std::vector<runtime::CallLevel> CallStack::call_levels() const {
   std::vector<runtime::CallLevel> levels;
-  if (level().program == nullptr) {
-    return levels;
+  for (std::size_t i = 0; i <= depth_; ++i) {
+    if (level(i).program == nullptr) {
+      return levels;
+    }
   }
   const std::size_t shown = shown_level();
   for (std::size_t i = depth_ + 1; i-- > 0;) {

@@ -46,7 +46,10 @@ class Runner {
 
   // run_inspection.cc: at a pause; level 0 is the innermost
 
-  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const { return stack_.call_levels(); }
+  /// None before a run: what is looked at then runs on a level of its own.
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const {
+    return has_run_ ? stack_.call_levels() : std::vector<runtime::CallLevel>();
+  }
   /// Local variables and parameters, frames apart.
   std::vector<std::pair<std::string, ShownValue>> local_values(std::size_t level);
   /// The value of an expression among the variables of a level.  Nothing of the run changes.

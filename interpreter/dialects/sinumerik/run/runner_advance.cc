@@ -137,7 +137,7 @@ void Runner::run_before(const CompiledProgram& program) {
     channel_.diagnostics.push_back(unknown_data_note(program));
   }
   channel_.watch = runtime::BlockWatch(runtime::Budget{});
-  stack_.level(0) = Level();
+  stack_.reset();  // an alarm may have left levels that it called
 }
 
 }  // namespace g31::sinumerik
