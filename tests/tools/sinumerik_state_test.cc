@@ -1,6 +1,7 @@
 // What a SINUMERIK control keeps from run to run: variables, and the files of its programs.
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -66,6 +67,34 @@ TEST(SinumerikVariables, OfAProcThatNothingCalledAreNotThere) {
   const RunOutput not_begun = run(folder, "PROC MAIN(VAR REAL VV)", "", "VV");
   EXPECT_NE(not_begun.errors.find("[12080]"), std::string::npos) << not_begun.errors;
   EXPECT_TRUE(not_begun.document["variables"]["VV"].is_null());
+}
+
+TEST(SinumerikVariables, ThatTheSheetGivesHaveChangedFromThere) {
+  const TemporaryFolder folder;
+  folder.write("MY.DEF", "%_N_MY_DEF\nDEF NCK REAL LIMIT=5\nDEF NCK STRING[9] TITLE=\"A\"\nM17\n");
+  cli::RunOptions options;
+  options.setups = {folder.write("sheet.toml",
+                                 "[gud]\nPALLET = 0.5\nRR = [0.25, 0.75]\nLEFT = 2\n"
+                                 "[variables]\nR1 = 4\n"
+                                 "[machine_data]\n\"$MA_OEM[X1]\" = 2.5\n")};
+  options.changes = true;
+  options.programs = {folder.write("case.mpf",
+                                   "PALLET=0 RR[1]=7 R1=5 R2=6 LEFT=3 LEFT=2\n"
+                                   "$MA_OEM[X1]=0\nLIMIT=0 TITLE=\"B\"\nM30\n")};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  std::map<std::string, nlohmann::json> was;
+  for (const auto& change : output.document["changes"]) {
+    was[change["name"]] = change["before"];
+  }
+  EXPECT_EQ(was, (std::map<std::string, nlohmann::json>{{"$MA_OEM[X]", 2.5},
+                                                        {"LIMIT", 5.0},
+                                                        {"PALLET", 0.5},
+                                                        {"R1", 4.0},
+                                                        {"R2", 0.0},
+                                                        {"RR[1]", 0.75},
+                                                        {"TITLE", "A"}}))
+      << output.document["changes"];
 }
 
 TEST(SinumerikDefinitions, OfAUserCountBeforeThoseThatComeWithG31) {

@@ -20,10 +20,10 @@ bool are_equal(const ShownValue& a, const ShownValue& b) {
   return equal(std::get<Cell>(a), std::get<Cell>(b));
 }
 
-/// On a control that nobody has set up.
+/// Where nothing has written it yet.
 ShownValue fresh_value(const StateValue& of, const session::Session& session) {
   if (of.fresh) {
-    return Cell(*of.fresh);
+    return *of.fresh;
   }
   return std::holds_alternative<std::string>(of.value) ? ShownValue(std::string())
                                                        : ShownValue(session.unset_number());
@@ -36,8 +36,11 @@ RunState state_of(session::Session& session) {
   for (const auto& [name, value] : session.values(0, Scope::Common)) {
     state[name] = {value, std::nullopt};
   }
+  for (const auto& [name, value] : session.values_at_start()) {
+    state[name].fresh = value;
+  }
   for (const auto& [name, entry] : session.tables()) {
-    state[name] = {Cell(entry.value), entry.fresh};
+    state[name] = {Cell(entry.value), Cell(entry.fresh)};
   }
   return state;
 }

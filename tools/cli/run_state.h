@@ -12,7 +12,8 @@ namespace g31::cli {
 
 struct StateValue {
   runtime::ShownValue value;
-  std::optional<double> fresh;  ///< of an entry of a table: on a fresh control
+  /// Before any program; of an entry of a table on a fresh control.  nullopt: not set.
+  std::optional<runtime::ShownValue> fresh;
 };
 /// Variables of all programs, offsets and tool data by their names, those that are set.
 using RunState = std::map<std::string, StateValue>;

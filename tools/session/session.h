@@ -54,6 +54,9 @@ class Session {
   /// Innermost first.
   [[nodiscard]] virtual std::vector<runtime::CallLevel> call_levels() const = 0;
   virtual runtime::NamedValues values(std::size_t level, runtime::Scope scope) = 0;
+  /// What definitions and the set-up gave the variables that values() tells of all programs, before
+  /// anything was written to them; those that nothing had set are left out.
+  virtual runtime::NamedValues values_at_start() { return {}; }
   /// The value of an expression among the variables of a level; the reason when it has none.
   virtual Result<runtime::ShownValue, std::string> evaluate(std::size_t level,
                                                             const std::string& text) = 0;

@@ -30,6 +30,7 @@ class SinumerikSession final : public Session {
   runtime::NamedValues values(std::size_t level, runtime::Scope scope) override {
     return session_.values(level, scope);
   }
+  runtime::NamedValues values_at_start() override { return session_.values_at_start(); }
   Result<runtime::ShownValue, std::string> evaluate(std::size_t level,
                                                     const std::string& text) override {
     return session_.evaluate(level, text);

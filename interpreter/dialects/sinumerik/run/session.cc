@@ -330,6 +330,22 @@ runtime::NamedValues Session::values(std::size_t level, runtime::Scope scope) {
   return values;
 }
 
+runtime::NamedValues Session::values_at_start() const {
+  const Channel& channel = runner_->channel();
+  runtime::NamedValues values;
+  for (const Variable& variable : programs_.globals().variables()) {
+    for (std::int32_t i = 0; i < variable.shape.count(); ++i) {
+      const auto place = static_cast<std::size_t>(variable.place + i);
+      if (variable.type == Type::String && channel.texts[place] != texts_at_start_[place]) {
+        values.emplace_back(element_name(variable, i), texts_at_start_[place]);
+      } else if (is_number(variable.type) && channel.numbers[place] != numbers_at_start_[place]) {
+        values.emplace_back(element_name(variable, i), runtime::Cell(numbers_at_start_[place]));
+      }
+    }
+  }
+  return values;
+}
+
 Result<runtime::ShownValue, std::string> Session::evaluate(std::size_t level,
                                                            const std::string& text) {
   const auto value = runner_->evaluate(level, text);

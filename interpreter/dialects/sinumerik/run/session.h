@@ -56,6 +56,9 @@ class Session {
   /// Local: variables and parameters, frames apart.  Common: numbers that differ from what they are
   /// after power on and loading.
   runtime::NamedValues values(std::size_t level, runtime::Scope scope);
+  /// Of the variables of all programs that are not as definitions and the set-up gave them: what
+  /// they were given.
+  [[nodiscard]] runtime::NamedValues values_at_start() const;
   Result<runtime::ShownValue, std::string> evaluate(std::size_t level, const std::string& text);
 
   /// Why a text is no expression among the variables of the main program; nullopt: it is one.
