@@ -368,7 +368,49 @@ TEST(BlockSteps, AListenerHearsWhatASinumerikProgramWrites) {
             "12: COUNT 2 -> 3\n"
             "13: $P_UIFR[1,X,TR] 0 -> 10\n"
             "1: R9 0 -> 8\n"
-            "2: HOW 3 -> 4\n");
+            "2: HOW 3 -> 4\n"
+            "2: COUNT 3 -> 4\n");
+}
+
+TEST(BlockSteps, AWriteOfAParameterIsOneOfTheVariableBehindIt) {
+  const Job job("sinumerik-828d",
+                {{"MAIN.MPF",
+                  "DEF REAL TABLE[2,2]\n"
+                  "DEF STRING[8] NAME\n"
+                  "SETV(R5)\n"
+                  "SETV(TABLE[1,0])\n"
+                  "PASS(R6)\n"
+                  "FILL(TABLE,NAME)\n"
+                  "M30\n"},
+                 {"SETV.SPF", "PROC SETV(VAR REAL X)\nX=7\nX=7\nM17\n"},
+                 {"PASS.SPF", "PROC PASS(VAR REAL WAY)\nDEF REAL TABLE=1\nSETV(WAY)\nM17\n"},
+                 {"FILL.SPF",
+                  "PROC FILL(VAR REAL A[2,2],VAR STRING[8] T)\nA[0,1]=3\n"
+                  "A[1,0]=SET(7,9)\nT=\"B\"\nEXECSTRING(\"A[0,0]=2\")\nM17\n"}});
+  EXPECT_EQ(writes_of(job),
+            "2: X 0 -> 7\n"
+            "2: R5 0 -> 7\n"
+            "3: X 7 -> 7\n"
+            "3: R5 7 -> 7\n"
+            "2: X 0 -> 7\n"
+            "2: TABLE[1,0] 0 -> 7\n"
+            "3: X 7 -> 7\n"
+            "3: TABLE[1,0] 7 -> 7\n"
+            "2: TABLE 0 -> 1\n"
+            "2: X 0 -> 7\n"
+            "2: R6 0 -> 7\n"
+            "2: WAY 0 -> 7\n"
+            "3: X 7 -> 7\n"
+            "3: R6 7 -> 7\n"
+            "3: WAY 7 -> 7\n"
+            "2: A[0,1] 0 -> 3\n"
+            "2: TABLE[0,1] 0 -> 3\n"
+            "3: A[1,1] 0 -> 9\n"
+            "3: TABLE[1,1] 0 -> 9\n"
+            "4: T \"\" -> \"B\"\n"
+            "4: NAME \"\" -> \"B\"\n"
+            "1: A[0,0] 0 -> 2\n"
+            "1: TABLE[0,0] 0 -> 2\n");
 }
 
 TEST(BlockSteps, TheTimeOfAPauseIsNoTimeOfTheRun) {

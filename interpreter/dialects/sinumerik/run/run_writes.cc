@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,20 @@
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
+namespace {
+
+/// Whether the memory of a variable begins at `first` of that of another one and holds its `slot`.
+template <typename Held>
+bool holds_slot(const Held& held, std::size_t first, const VariableView& in, std::size_t slot) {
+  const bool is_of_a_kind = in.type == Type::String
+                                ? held.type == Type::String
+                                : is_held_as_number(held.type) && is_held_as_number(in.type);
+  return is_of_a_kind && slot >= first &&
+         slot < first + static_cast<std::size_t>(held.shape.count());
+}
+
+}  // namespace
+
 std::vector<WrittenValue> WrittenValues::before(const Op& op) {
   std::vector<WrittenValue> written = written_by(op);
   for (WrittenValue& value : written) {
@@ -38,7 +53,9 @@ std::vector<WrittenValue> WrittenValues::written_by(const Op& op) {
   }
   if (op.code == OpCode::Store || op.code == OpCode::StoreText) {
     auto one = elements(op.b.place, static_cast<std::int32_t>(operands_.number(op.a)), 1);
-    one.front().is_assigned = true;
+    for (WrittenValue& value : one) {
+      value.is_assigned = true;
+    }
     return one;
   }
   if (op.code == OpCode::Fill || op.code == OpCode::Repeat) {
@@ -94,7 +111,8 @@ std::vector<WrittenValue> WrittenValues::written_to_arguments(const Op& op) {
   return all;
 }
 
-/// Some elements of a variable, as far as there are so many; frames have no single value.
+/// Some elements of a variable, as far as there are so many, and what is behind them if it is a VAR
+/// parameter; frames have no single value.
 std::vector<WrittenValue> WrittenValues::elements(std::int32_t which, std::int32_t first,
                                                   std::int32_t count) {
   Variable shaped = operands_.level().program->variables[static_cast<std::size_t>(which)];
@@ -104,7 +122,49 @@ std::vector<WrittenValue> WrittenValues::elements(std::int32_t which, std::int32
   const bool is_shown = in.type != Type::Frame && in.type != Type::None;
   const std::int32_t end = std::min(in.shape.count(), first + count);
   for (std::int32_t i = first; i < end && is_shown; ++i) {
-    all.push_back({element_name(shaped, i), in, static_cast<std::size_t>(i)});
+    const auto element = static_cast<std::size_t>(i);
+    all.push_back({element_name(shaped, i), in, element});
+    if (shaped.storage == Storage::Reference) {
+      std::ranges::move(behind(in, element), std::back_inserter(all));
+    }
+  }
+  return all;
+}
+
+/// The variable behind an element of a VAR parameter, which is written at once with it, and the VAR
+/// parameters of callers that have passed it on.
+std::vector<WrittenValue> WrittenValues::behind(const VariableView& in, std::size_t element) const {
+  const std::size_t slot = static_cast<std::size_t>(in.place) + in.first + element;
+  std::vector<WrittenValue> all;
+  const auto add = [&](const Variable& variable, std::size_t first) {
+    all.push_back({element_name(variable, static_cast<std::int32_t>(slot - first)), in, element});
+  };
+  const std::span<const Variable> owners =
+      in.is_global ? globals_.variables()
+                   : std::span<const Variable>(stack_.level(in.level).own_place().first->variables);
+  for (const Variable& variable : owners) {
+    const auto first = static_cast<std::size_t>(variable.place);
+    if (variable.storage == (in.is_global ? Storage::Global : Storage::Local) &&
+        holds_slot(variable, first, in, slot)) {
+      add(variable, first);
+      break;
+    }
+  }
+  for (std::size_t i = in.is_global ? 0 : in.level + 1; i < stack_.depth(); ++i) {
+    const Level& level = stack_.level(i);
+    for (Variable passed : level.own_place().first->variables) {
+      const auto at = static_cast<std::size_t>(passed.place);
+      if (passed.storage != Storage::Reference || at >= level.references.size()) {
+        continue;
+      }
+      const Reference& to = level.references[at];
+      const std::size_t first = static_cast<std::size_t>(to.place) + to.first;
+      if (to.is_global == in.is_global && (to.is_global || to.level == in.level) &&
+          holds_slot(to, first, in, slot)) {
+        passed.shape = to.shape;
+        add(passed, first);
+      }
+    }
   }
   return all;
 }

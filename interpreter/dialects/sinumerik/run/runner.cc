@@ -24,7 +24,7 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
       functions_(operands_, channel_, called_, programs.globals()),
       procedures_(operands_, channel_, calls_, actions_),
       system_(operands_, channel_, stack_, missed_),
-      written_(operands_, channel_, system_) {
+      written_(operands_, channel_, system_, stack_, programs.globals()) {
   channel_.here = [this] { return stack_.here(); };
   channel_.shown_block = [this] { return stack_.place_of(stack_.shown_level()); };
   channel_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/code/globals.h"
+#include "interpreter/dialects/sinumerik/run/call_stack.h"
 #include "interpreter/dialects/sinumerik/run/operands.h"
 #include "interpreter/dialects/sinumerik/run/system_steps.h"
 #include "interpreter/runtime/block_listener.h"
@@ -25,8 +27,9 @@ struct WrittenValue {
 class WrittenValues {
  public:
   /// All must outlive it.
-  WrittenValues(Operands& operands, Channel& channel, SystemSteps& system)
-      : operands_(operands), channel_(channel), system_(system) {}
+  WrittenValues(Operands& operands, Channel& channel, SystemSteps& system, const CallStack& stack,
+                const Globals& globals)
+      : operands_(operands), channel_(channel), system_(system), stack_(stack), globals_(globals) {}
 
   /// What a step that comes next may write, as it is now.
   std::vector<WrittenValue> before(const Op& op);
@@ -39,6 +42,7 @@ class WrittenValues {
   std::vector<WrittenValue> written_by_number_step(const Op& op);
   std::vector<WrittenValue> written_to_arguments(const Op& op);
   std::vector<WrittenValue> elements(std::int32_t which, std::int32_t first, std::int32_t count);
+  [[nodiscard]] std::vector<WrittenValue> behind(const VariableView& in, std::size_t element) const;
   std::string system_name(const Op& op);
   runtime::ShownValue system_value(const Op& op);
   runtime::ShownValue value_now(const WrittenValue& written, const Op& op);
@@ -46,6 +50,8 @@ class WrittenValues {
   Operands& operands_;
   Channel& channel_;
   SystemSteps& system_;
+  const CallStack& stack_;
+  const Globals& globals_;
 };
 
 }  // namespace g31::sinumerik
