@@ -259,6 +259,23 @@ TEST_F(OutputPlaces, AreNoneOfWhatTheProgramWrites) {
   EXPECT_FALSE(fs::exists(folder_.path("kept/LOG")));
 }
 
+TEST_F(OutputPlaces, AreNoneOfWhatTheProgramDeletes) {
+  folder_.write("d.mpf", "DEF INT E\nDELETE(E,\"OUT\")\nM30\n");
+  folder_.write("files.toml", "[control]\nprofile = \"sinumerik-828d\"\nfiles = \"kept\"\n");
+  fs::create_directories(folder_.path("kept"));
+  for (const std::string option : {"--printer", "--json"}) {
+    SCOPED_TRACE(option);
+    const std::string place = folder_.write("kept/OUT", option == "--json" ? "" : "x\n");
+    const CommandOutput said = testing::g31(
+        {"run", folder_.path("d.mpf"), "-s", folder_.path("files.toml"), option, place});
+    EXPECT_EQ(said.exit_code, 2) << said.errors;
+    EXPECT_NE(said.errors.find(option + " " + place + ": it would take the place"),
+              std::string::npos)
+        << said.errors;
+    EXPECT_TRUE(fs::exists(place));
+  }
+}
+
 // What an earlier run of the command has left is no input.
 TEST_F(OutputPlaces, AreThoseOfAnEarlierDocument) {
   for (const Words& words :

@@ -60,10 +60,23 @@ ProgramFiles::Changes ProgramFiles::changed(const Contents& now) const {
   return changed;
 }
 
+std::vector<std::string> ProgramFiles::deleted(const Contents& now) const {
+  std::vector<std::string> names;
+  for (const auto& [name, content] : at_start_) {
+    if (!now.contains(name)) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 std::vector<std::string> ProgramFiles::paths(const Contents& now) const {
   std::vector<std::string> all;
   if (!folder_.empty()) {
     for (const auto& [name, content] : changed(now)) {
+      all.push_back((fs::path(folder_) / name).string());
+    }
+    for (const std::string& name : deleted(now)) {
       all.push_back((fs::path(folder_) / name).string());
     }
   }
@@ -84,9 +97,9 @@ std::optional<std::string> ProgramFiles::save(const Contents& now) const {
       return wrong;
     }
   }
-  for (const auto& [name, content] : at_start_) {
+  for (const std::string& name : deleted(now)) {
     std::error_code error;
-    if (!now.contains(name) && !fs::remove(fs::path(folder_) / name, error) && error) {
+    if (!fs::remove(fs::path(folder_) / name, error) && error) {
       return fmt::format("cannot delete {} in {}: {}", name, folder_, error.message());
     }
   }

@@ -24,13 +24,15 @@ class ProgramFiles {
   [[nodiscard]] const Contents& at_start() const { return at_start_; }
   /// What the program made or changed: texts of `now`.
   [[nodiscard]] Changes changed(const Contents& now) const;
-  /// Where save() writes; none without a folder.
+  /// What save() writes or removes; none without a folder.
   [[nodiscard]] std::vector<std::string> paths(const Contents& now) const;
   /// Writes what has changed and removes what the program deleted, in the folder.
   /// @returns why it could not be done
   [[nodiscard]] std::optional<std::string> save(const Contents& now) const;
 
  private:
+  [[nodiscard]] std::vector<std::string> deleted(const Contents& now) const;
+
   std::string folder_;
   Contents at_start_;
 };

@@ -47,7 +47,7 @@ class Run {
     return files_.changed(session_->files());
   }
 
-  /// Where keep_state() writes files of the program.
+  /// What keep_state() writes or removes of the program's files.
   [[nodiscard]] std::vector<std::string> kept_files() const {
     return files_.paths(session_->files());
   }
