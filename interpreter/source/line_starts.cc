@@ -8,6 +8,12 @@
 
 namespace g31::source {
 
+void use_line_feeds(std::string& text) {
+  if (text.find('\n') == std::string::npos) {
+    std::ranges::replace(text, '\r', '\n');
+  }
+}
+
 std::size_t line_ends_in(std::string_view text) {
   std::size_t count = 0;
   // No more than a byte counts, in whole registers: so many are compared at a time as one holds.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,11 @@ struct LineColumn {
   int column = 1;
   friend bool operator==(LineColumn, LineColumn) = default;
 };
+
+/// LF for each CR of a text whose lines end with CR alone, as old computers and EIA readers leave
+/// it: controls know LF only, so without this all of it would be one block.  A text with any LF
+/// stays as it is.
+void use_line_feeds(std::string& text);
 
 /// How many LF a text has; one after the other, for a look at each byte takes four times as long.
 std::size_t line_ends_in(std::string_view text);

@@ -51,6 +51,8 @@ TEST(CheckComments, AloneOnALineHoldForTheNext) {
             (Found{"6 NC005"}));
   EXPECT_EQ(found_in("A.MPF", "R1=1\n; g31: disable=NC005\nNOPE1\nNOPE2\nM30\n"),
             (Found{"4 NC005"}));
+  EXPECT_EQ(found_in("A.MPF", "R1=1\r; g31: disable=NC005\rNOPE1\rNOPE2\rM30\r"),
+            (Found{"4 NC005"}));
 }
 
 TEST(CheckComments, BeforeTheFirstBlockHoldForTheFile) {

@@ -194,6 +194,34 @@ INSTANTIATE_TEST_SUITE_P(Syntax, Malformed, ::testing::ValuesIn(kSyntax));
 INSTANTIATE_TEST_SUITE_P(Alarms, Malformed, ::testing::ValuesIn(kAlarms));
 INSTANTIATE_TEST_SUITE_P(Harmless, Malformed, ::testing::ValuesIn(kHarmless));
 
+RunOutput run_sinumerik(const std::string& text) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("CASE.MPF", text)};
+  options.prints = {"R1"};
+  return run_program(options);
+}
+
+TEST(LineEnds, AreThoseOfAFileWithCrAloneOnASinumerik) {
+  const RunOutput run = run_sinumerik(
+      "; g31: allow PRB319 nothing is measured here\r; part 1\rR1=5\rR2=$AA_MW[X]\rM30\r");
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(run.document.at("blocks"), 3);
+  EXPECT_EQ(run.document.at("variables").at("R1"), 5.0);
+  for (const std::string end : {"\r", "\r\n", "\n"}) {
+    std::string text = "; part 1" + end;
+    constexpr int kLines = 60'000;  // several windows
+    for (int line = 2; line < kLines; ++line) {
+      text += "G1 X" + std::to_string(line % 100) + " Y0.5 F1000 ; a line" + end;
+    }
+    const RunOutput alarm = run_sinumerik(text + "R1=7" + end + "R1=1/0" + end + "M30" + end);
+    EXPECT_EQ(alarm.exit_code, 3);
+    EXPECT_NE(alarm.errors.find("CASE.MPF:60001:4: error: "), std::string::npos) << alarm.errors;
+    EXPECT_NE(alarm.errors.find(" | R1=1/0\n"), std::string::npos) << alarm.errors;
+    EXPECT_EQ(alarm.document.at("variables").at("R1"), 7.0);
+  }
+}
+
 // 9999 holes of 1e5 pecks are 3e9 moves in one block.
 TEST(Budget, EndsACannedCycleInTime) {
   TemporaryFolder folder;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "interpreter/source/line_starts.h"
 #include "interpreter/source/readable_text.h"
 #include "tools/page/file_names.h"
 #include "tools/page/run_report.h"
@@ -53,7 +54,8 @@ void add_listings_of_errors(const std::vector<source::Diagnostic>& messages, con
     if (path.empty() || std::ranges::find(listings, name, &Listing::file) != listings.end()) {
       continue;
     }
-    if (const auto text = sources.files().read(path)) {
+    if (auto text = sources.files().read(path)) {
+      source::use_line_feeds(*text);
       listings.push_back({name, source::readable_text(*text), {}, {}});
     }
   }

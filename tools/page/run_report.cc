@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/overloaded.h"
+#include "interpreter/source/line_starts.h"
 #include "interpreter/source/readable_text.h"
 #include "parts/geometry/placement.h"
 #include "tools/page/html.h"
@@ -87,7 +88,8 @@ FileNames names_of(const std::vector<const coverage::FileCoverage*>& files) {
 std::vector<Listing> listings_of(const RunPage& run, const FileNames& names) {
   std::vector<Listing> listings;
   for (const coverage::FileCoverage* const file : files_that_ran(run)) {
-    if (const auto text = run.sources.files().read(file->file)) {
+    if (auto text = run.sources.files().read(file->file)) {
+      source::use_line_feeds(*text);
       listings.push_back(
           {names.of(file->file), source::readable_text(*text), file->lines, file->conditions});
     }

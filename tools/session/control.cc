@@ -112,7 +112,7 @@ bool is_sinumerik_text(std::string_view text) {
       "MSG(",     "MCALL",   "SUPA",     "DIAMON",     "DIAMOF",  "T=\""};
   bool is_comment = false;  // of a SINUMERIK
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool is_first = at == 0 || text[at - 1] == '\n';
+    const bool is_first = at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r';
     is_comment = text[at] == ';' || (is_comment && !is_first);
     if (is_comment) {
       continue;

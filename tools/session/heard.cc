@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/diagnostic.h"
+#include "interpreter/source/line_starts.h"
 
 namespace g31::session {
 namespace {
@@ -73,7 +74,9 @@ const std::vector<MessageComment>& ProgramComments::of(const std::string& file) 
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = by_file_.try_emplace(file);
   if (is_new && may_have_comments(file)) {
-    entry->second = message_comments(files_.read(file).value_or(""), form_);
+    std::string program = files_.read(file).value_or("");
+    source::use_line_feeds(program);
+    entry->second = message_comments(program, form_);
     std::erase_if(entry->second, [](const MessageComment& comment) {
       return comment.verb != MessageComment::Verb::Allow;
     });

@@ -8,6 +8,7 @@
 
 #include "interpreter/dialects/fanuc/text/parse.h"
 #include "interpreter/dialects/fanuc/text/tape_code.h"
+#include "interpreter/source/line_starts.h"
 
 namespace g31::fanuc {
 namespace {
@@ -29,14 +30,6 @@ std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() || folder == "." ? name : folder + "/" + name;
 }
 
-/// A file whose lines end with CR alone, as old computers and EIA readers leave it: a control knows
-/// LF only, so without this the whole file would be one block.
-void use_line_feeds(std::string& text) {
-  if (text.find('\n') == std::string::npos) {
-    std::ranges::replace(text, '\r', '\n');
-  }
-}
-
 /// Whether a text has a program of this key.
 bool has_program_of(std::string_view text, const ProgramKey& key) {
   const syntax::Tree tree = parse(text);
@@ -46,7 +39,7 @@ bool has_program_of(std::string_view text, const ProgramKey& key) {
 
 /// The text of a file as a control reads it.
 std::string as_read(std::string text) {
-  use_line_feeds(text);
+  source::use_line_feeds(text);
   return from_tape_code(std::move(text));
 }
 

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "interpreter/source/line_starts.h"
+
 namespace g31::sinumerik {
 namespace {
 
@@ -42,6 +44,7 @@ ProgramFile* ProgramLibrary::file(const std::string& path) {
   const auto [place, is_new] = read_.try_emplace(path);
   if (is_new) {
     if (auto text = sources_.files().read(path)) {
+      source::use_line_feeds(*text);
       place->second =
           std::make_unique<ProgramFile>(sources_.whole(path, *std::move(text)), is_shipped(path));
     }
