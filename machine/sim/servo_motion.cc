@@ -137,7 +137,8 @@ LedPiece led_piece(const LedPath& path, const MotionPhase& phase, const PieceTim
   }
   double scale = 1.0;
   for (int power = 1; power <= time.powers; ++power) {
-    piece.command[static_cast<std::size_t>(power)] *= scale /= duration_s;
+    scale /= duration_s;
+    piece.command[static_cast<std::size_t>(power)] *= scale;
   }
   for (const double part : kFurthestFromQuartic) {
     const AxisPositions off = value_of(piece.command, part * duration_s) - place(part);
