@@ -1,5 +1,7 @@
 #include "interpreter/source/file_system.h"
 
+#include "interpreter/source/line_starts.h"
+
 namespace g31::source {
 
 std::optional<std::uint64_t> FileSystem::size(const std::string& path) {
@@ -22,6 +24,14 @@ std::optional<std::string> FileSystem::why_no_list(const std::string& /*folder*/
 
 std::vector<std::string> FileSystem::folders(const std::string& /*folder*/) {
   return {};
+}
+
+std::optional<std::string> read_program(FileSystem& files, const std::string& path) {
+  auto text = files.read(path);
+  if (text) {
+    use_line_feeds(*text);
+  }
+  return text;
 }
 
 }  // namespace g31::source

@@ -40,4 +40,7 @@ class FileSystem {
   virtual bool has_folder(const std::string& folder) { return !list(folder).empty(); }
 };
 
+/// The whole file of a program, with LF for each CR where its lines end with CR alone.
+std::optional<std::string> read_program(FileSystem& files, const std::string& path);
+
 }  // namespace g31::source

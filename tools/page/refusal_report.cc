@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "interpreter/source/line_starts.h"
+#include "interpreter/source/file_system.h"
 #include "interpreter/source/readable_text.h"
 #include "tools/page/file_names.h"
 #include "tools/page/run_report.h"
@@ -54,8 +54,7 @@ void add_listings_of_errors(const std::vector<source::Diagnostic>& messages, con
     if (path.empty() || std::ranges::find(listings, name, &Listing::file) != listings.end()) {
       continue;
     }
-    if (auto text = sources.files().read(path)) {
-      source::use_line_feeds(*text);
+    if (const auto text = source::read_program(sources.files(), path)) {
       listings.push_back({name, source::readable_text(*text), {}, {}});
     }
   }

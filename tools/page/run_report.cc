@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/overloaded.h"
-#include "interpreter/source/line_starts.h"
+#include "interpreter/source/file_system.h"
 #include "interpreter/source/readable_text.h"
 #include "parts/geometry/placement.h"
 #include "tools/page/html.h"
@@ -88,8 +88,7 @@ FileNames names_of(const std::vector<const coverage::FileCoverage*>& files) {
 std::vector<Listing> listings_of(const RunPage& run, const FileNames& names) {
   std::vector<Listing> listings;
   for (const coverage::FileCoverage* const file : files_that_ran(run)) {
-    if (auto text = run.sources.files().read(file->file)) {
-      source::use_line_feeds(*text);
+    if (const auto text = source::read_program(run.sources.files(), file->file)) {
       listings.push_back(
           {names.of(file->file), source::readable_text(*text), file->lines, file->conditions});
     }

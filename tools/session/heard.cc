@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/diagnostic.h"
-#include "interpreter/source/line_starts.h"
 
 namespace g31::session {
 namespace {
@@ -74,9 +73,7 @@ const std::vector<MessageComment>& ProgramComments::of(const std::string& file) 
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = by_file_.try_emplace(file);
   if (is_new && may_have_comments(file)) {
-    std::string program = files_.read(file).value_or("");
-    source::use_line_feeds(program);
-    entry->second = message_comments(program, form_);
+    entry->second = message_comments(source::read_program(files_, file).value_or(""), form_);
     std::erase_if(entry->second, [](const MessageComment& comment) {
       return comment.verb != MessageComment::Verb::Allow;
     });

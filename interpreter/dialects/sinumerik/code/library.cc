@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "interpreter/source/line_starts.h"
-
 namespace g31::sinumerik {
 namespace {
 
@@ -43,8 +41,7 @@ ProgramFile* ProgramLibrary::file(const std::string& path) {
   const std::lock_guard lock(read_mutex_);
   const auto [place, is_new] = read_.try_emplace(path);
   if (is_new) {
-    if (auto text = sources_.files().read(path)) {
-      source::use_line_feeds(*text);
+    if (auto text = source::read_program(sources_.files(), path)) {
       place->second =
           std::make_unique<ProgramFile>(sources_.whole(path, *std::move(text)), is_shipped(path));
     }

@@ -318,30 +318,20 @@ runtime::NamedValues Session::values(std::size_t level, runtime::Scope scope) {
   for (const auto& [name, number] : permanent_variables()) {
     values.emplace_back(name, runtime::Cell(number));
   }
-  const std::vector<std::string>& texts = runner_->channel().texts;
-  for (const Variable& variable : programs_.globals().variables()) {
-    for (std::int32_t i = 0; variable.type == Type::String && i < variable.shape.count(); ++i) {
-      const auto place = static_cast<std::size_t>(variable.place + i);
-      if (texts[place] != texts_at_start_[place]) {
-        values.emplace_back(element_name(variable, i), texts[place]);
-      }
+  for (const ChangedElement& element : changed_elements()) {
+    if (element.type == Type::String) {
+      values.emplace_back(element.name, runner_->channel().texts[element.place]);
     }
   }
   return values;
 }
 
 runtime::NamedValues Session::values_at_start() const {
-  const Channel& channel = runner_->channel();
   runtime::NamedValues values;
-  for (const Variable& variable : programs_.globals().variables()) {
-    for (std::int32_t i = 0; i < variable.shape.count(); ++i) {
-      const auto place = static_cast<std::size_t>(variable.place + i);
-      if (variable.type == Type::String && channel.texts[place] != texts_at_start_[place]) {
-        values.emplace_back(element_name(variable, i), texts_at_start_[place]);
-      } else if (is_number(variable.type) && channel.numbers[place] != numbers_at_start_[place]) {
-        values.emplace_back(element_name(variable, i), runtime::Cell(numbers_at_start_[place]));
-      }
-    }
+  for (const ChangedElement& element : changed_elements()) {
+    values.emplace_back(element.name, element.type == Type::String
+                                          ? runtime::ShownValue(texts_at_start_[element.place])
+                                          : runtime::Cell(numbers_at_start_[element.place]));
   }
   return values;
 }
@@ -397,18 +387,30 @@ std::map<std::string, runtime::TableValue> Session::tables() const {
   return table;
 }
 
-std::map<std::string, double> Session::permanent_variables() const {
-  std::map<std::string, double> kept;
-  const std::vector<double>& numbers = runner_->channel().numbers;
+/// Of the variables of all programs, numbers and texts that are not as at the start.
+std::vector<Session::ChangedElement> Session::changed_elements() const {
+  const Channel& channel = runner_->channel();
+  std::vector<ChangedElement> changed;
   for (const Variable& variable : programs_.globals().variables()) {
-    if (!is_number(variable.type)) {
-      continue;
-    }
     for (std::int32_t i = 0; i < variable.shape.count(); ++i) {
       const auto place = static_cast<std::size_t>(variable.place + i);
-      if (numbers[place] != numbers_at_start_[place]) {
-        kept[element_name(variable, i)] = numbers[place];
+      const bool differs =
+          variable.type == Type::String
+              ? channel.texts[place] != texts_at_start_[place]
+              : is_number(variable.type) && channel.numbers[place] != numbers_at_start_[place];
+      if (differs) {
+        changed.push_back({element_name(variable, i), variable.type, place});
       }
+    }
+  }
+  return changed;
+}
+
+std::map<std::string, double> Session::permanent_variables() const {
+  std::map<std::string, double> kept;
+  for (const ChangedElement& element : changed_elements()) {
+    if (element.type != Type::String) {
+      kept[element.name] = runner_->channel().numbers[element.place];
     }
   }
   return kept;

@@ -85,6 +85,14 @@ class Session {
   [[nodiscard]] const std::map<std::string, std::string>& files() const;
 
  private:
+  /// An element of a variable, and its place among numbers or texts.
+  struct ChangedElement {
+    std::string name;
+    Type type;
+    std::size_t place;
+  };
+  [[nodiscard]] std::vector<ChangedElement> changed_elements() const;
+
   CallablePrograms programs_;
   std::unique_ptr<Runner> runner_;
   std::vector<double> numbers_at_start_;  ///< as definition and INI files leave them
