@@ -121,7 +121,14 @@ struct Touched {
 
 /// The whole distance was travelled without a signal, or all that a move goes on behind the first
 /// of two without the other.
-struct NoTouch {};
+struct NoTouch {
+  /// Of a move that listened to two: what the one that gave its signal has left.
+  struct Alone {
+    bool is_main = true;  ///< that of SkipMove::input; false: the further one
+    FurtherTouch touch;
+  };
+  std::optional<Alone> alone = std::nullopt;
+};
 
 /// The signal was already as its edge would leave it when the move was to begin: no edge could
 /// come.  Nothing moved.
@@ -140,6 +147,8 @@ struct FurtherSignal {
   int input = 0;  ///< measuring input, from 1
   /// mm: so far behind the first of both signals the move waits for the other one.
   double within_mm = std::numeric_limits<double>::infinity();
+  /// Its signal counts only behind that of the other one.
+  bool comes_second = false;
 };
 
 /// A straight move that listens to the skip signal.

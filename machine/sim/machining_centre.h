@@ -165,7 +165,7 @@ class MachiningCentre final : public MachinePort {
   SkipOutcome skip_for_both(const StraightPath& path, const SkipMove& move);
   SkipOutcome stop_for_both(std::array<std::optional<Timed<SkipTrigger>>, 2> signals,
                             const StraightPath& path, const SkipMove& move);
-  SkipOutcome go_without_signal(const AxisPositions& q_M_end, const SkipMove& move);
+  void go_without_signal(const AxisPositions& q_M_end, const SkipMove& move);
   SkipOutcome stop_really(Timed<SkipTrigger> trigger, const CommandedPath& path,
                           const MotionProfile& profile, const SkipMove& move);
 

@@ -28,6 +28,11 @@ SkipOutcome both_of(Touched later, FurtherTouch earlier, bool main_is_later) {
   return later;
 }
 
+/// The control sees a signal when it has come, not the touch.  Infinite: it does not come
+double time_of(const std::optional<Timed<SkipTrigger>>& signal) {
+  return signal ? signal->time_s + signal->event.delay_s : std::numeric_limits<double>::infinity();
+}
+
 /// Where axes that follow at once stand when the signal of a trigger has come.
 AxisPositions latched_ideally(const SkipTrigger& trigger, const StraightPath& path,
                               const MotionProfile& profile) {
@@ -38,10 +43,10 @@ AxisPositions latched_ideally(const SkipTrigger& trigger, const StraightPath& pa
 
 }  // namespace
 
-SkipOutcome MachiningCentre::go_without_signal(const AxisPositions& q_M_end, const SkipMove& move) {
+void MachiningCentre::go_without_signal(const AxisPositions& q_M_end, const SkipMove& move) {
   const StraightPath path(q_M_, q_M_end, move.way.mm_per_degree);
   if (!path.moves()) {
-    return NoTouch{};
+    return;
   }
   const MotionProfile profile = dynamics_.profile(path, move.way);
   if (!real_.are_ideal()) {
@@ -54,7 +59,6 @@ SkipOutcome MachiningCentre::go_without_signal(const AxisPositions& q_M_end, con
     clock_.advance(profile.duration_s());
   }
   q_M_ = path.to();
-  return NoTouch{};
 }
 
 SkipOutcome MachiningCentre::skip_for_both(const StraightPath& path, const SkipMove& move) {
@@ -77,35 +81,36 @@ SkipOutcome MachiningCentre::skip_for_both(const StraightPath& path, const SkipM
 
 SkipOutcome MachiningCentre::stop_for_both(std::array<std::optional<Timed<SkipTrigger>>, 2> signals,
                                            const StraightPath& path, const SkipMove& move) {
+  if (move.further->comes_second && signals[1] &&
+      (signals[1]->event.on_at_start || time_of(signals[1]) <= time_of(signals[0]))) {
+    signals[1].reset();
+  }
   for (auto& signal : signals) {
     if (signal && signal->event.on_at_start) {
       return NoEdge{std::move(signal->event.contact)};
     }
   }
-  // The control sees a signal when it has come, not the touch.
-  const auto time_of = [](const auto& signal) {
-    return signal ? signal->time_s + signal->event.delay_s
-                  : std::numeric_limits<double>::infinity();
-  };
   const bool main_is_later = time_of(signals[0]) > time_of(signals[1]);
   auto& [first, last] = signals;
   if (main_is_later) {
     std::swap(first, last);
   }
   if (!first) {
-    return go_without_signal(path.to(), move);
+    go_without_signal(path.to(), move);
+    return NoTouch{};
   }
   const MotionProfile profile = dynamics_.profile(path, move.way);
   const double first_way = profile.distance_at(time_of(first));
   const double waits_until = first_way + move.further->within_mm;
-  if (!last || profile.distance_at(time_of(last)) > waits_until) {
-    const bool goes_on = waits_until >= profile.length();
-    return go_without_signal(goes_on ? path.to() : path.at(waits_until / profile.length()), move);
-  }
   const AxisPositions q_M_latched =
       real_.are_ideal() ? latched_ideally(first->event, path, profile)
                         : real_.motion(path, profile.phases()).encoder_at(time_of(first));
   FurtherTouch earlier{in_steps(q_M_latched, resolution_), std::move(first->event.contact)};
+  if (!last || profile.distance_at(time_of(last)) > waits_until) {
+    const bool goes_on = waits_until >= profile.length();
+    go_without_signal(goes_on ? path.to() : path.at(waits_until / profile.length()), move);
+    return NoTouch{NoTouch::Alone{!main_is_later, std::move(earlier)}};
+  }
   SkipOutcome outcome = real_.are_ideal()
                             ? stop_for(std::move(last->event), path, profile, AfterSignal::Stop)
                             : stop_really(*std::move(last), path, profile, move);

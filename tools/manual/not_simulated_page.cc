@@ -46,6 +46,9 @@ without a word: what they say has nothing to act on here.
   (`$NK_`, `$NT_`) have offsets, rotary, linear and fixed turned elements: a slide on a rotary axis and SWITCH are refused.  What
   compile cycles do with files of interpolation points and of directions is not there.  The shaft of a probe senses nothing:
   CYCLE995 needs a further ball in its place.
+* SINUMERIK: G641 to G645 round corners between lines in the plane of G17 to G19.  Corners that leave it stay sharp, and
+  so do all of a plane that is tilted or scaled unequally and those beside radius compensation: such a path takes longer
+  than on the control.
 * Fanuc: the machine has axes X, Y, Z, A, B and C.  U, V and W of a mill (a quill, a boring head, a pallet) are not
   there: the sheet's [machine.axes.W] is a warning (PRB506), a block that moves W is alarm 9.  Programs of the T series,
   for lathes, are refused where they show what they are (PRB003).

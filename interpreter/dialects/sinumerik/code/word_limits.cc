@@ -147,8 +147,7 @@ MaybeWrong wrong_trigger(std::string_view word, double trigger) {
 }
 
 MaybeWrong wrong_measuring_mode(double mode) {
-  constexpr int kMostSimulated = 3;
-  return static_cast<int>(mode) % 10 > kMostSimulated
+  return measuring_digit(mode) >= static_cast<int>(MeasuringMode::Continuous)
              ? wrong(AlarmId::NotImplemented, fmt::format("MEASA, mode {:.0f}", mode))
              : std::nullopt;
 }

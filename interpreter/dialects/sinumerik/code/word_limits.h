@@ -82,9 +82,24 @@ WrongValue wrong_opening_angle(double degrees);
 
 /// MEAS, MEAW, MEASA
 MaybeWrong wrong_trigger(std::string_view word, double trigger);
-/// Whether a mode of MEASA measures at all: 0 breaks off.
+/// The last digit of a mode of MEASA; the one before it is the measuring system.
+// Source: NC programming, axial measuring.
+enum class MeasuringMode {
+  Off,             ///< breaks off
+  AnyOrder,        ///< all triggers count from the start
+  InOrder,         ///< each counts behind the one before it
+  InOrderUnasked,  ///< the same; a probe that has switched at the start is no alarm
+  Continuous,
+};
+constexpr int measuring_digit(double mode) {
+  return static_cast<int>(mode) % 10;
+}
+/// @param mode  that wrong_measuring_mode() lets pass
+constexpr MeasuringMode measuring_mode(double mode) {
+  return static_cast<MeasuringMode>(measuring_digit(mode));
+}
 constexpr bool measures(double mode) {
-  return static_cast<int>(mode) % 10 != 0;
+  return measuring_digit(mode) != 0;
 }
 MaybeWrong wrong_measuring_mode(double mode);
 /// A second trigger of MEASA.

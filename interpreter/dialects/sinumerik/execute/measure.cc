@@ -10,6 +10,12 @@
 namespace g31::sinumerik {
 namespace {
 
+/// Of two probes the one that has switched; nullptr: both have, none has, or one was asked.
+const machine::NoTouch::Alone* alone_of(const machine::SkipOutcome& outcome) {
+  const auto* const none = std::get_if<machine::NoTouch>(&outcome);
+  return none != nullptr && none->alone ? &*none->alone : nullptr;
+}
+
 /// A way that the probe may end.
 struct MeasuredWay {
   AxisPositions q_W_end = AxisPositions::Zero();
@@ -50,21 +56,39 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
   return move;
 }
 
-void settle_second(Channel& channel, const machine::FurtherTouch& second, int probe) {
+void latch_first(Channel& channel, const AxisPositions& q_M_latched, int probe) {
   channel.measured[static_cast<std::size_t>(probe)] = true;
-  channel.q_M_second = second.q_M_latched;
-  channel.q_W_second = channel.to_work(second.q_M_latched);
+  channel.q_M_measured = q_M_latched;
+  channel.q_W_measured = channel.to_work(q_M_latched);
 }
 
-/// Where the program goes on after the move.
+void latch_second(Channel& channel, const AxisPositions& q_M_latched, int probe) {
+  channel.measured[static_cast<std::size_t>(probe)] = true;
+  channel.q_M_second = q_M_latched;
+  channel.q_W_second = channel.to_work(q_M_latched);
+}
+
+/// What the move has left in $AA_MM1, $AA_MM2 and $AC_MEA: of two triggers each its own.
+void latch(Channel& channel, const machine::SkipOutcome& outcome, const Measuring& measuring) {
+  if (measuring.by_action) {
+    return;
+  }
+  if (const auto* const touched = std::get_if<machine::Touched>(&outcome)) {
+    latch_first(channel, touched->q_M_latched, measuring.probe);
+    if (touched->further) {
+      latch_second(channel, touched->further->q_M_latched, measuring.further);
+    }
+  } else if (const auto* const one = alone_of(outcome)) {
+    one->is_main ? latch_first(channel, one->touch.q_M_latched, measuring.probe)
+                 : latch_second(channel, one->touch.q_M_latched, measuring.further);
+  }
+}
+
+/// Where the program goes on after the move: behind one of two triggers it may end on its way.
 void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring& measuring,
             const AxisPositions& q_W_end) {
-  if (event.triggered && !measuring.by_action) {
-    channel.measured[static_cast<std::size_t>(measuring.probe)] = true;
-    channel.q_M_measured = event.q_M_latched;
-    channel.q_W_measured = channel.to_work(event.q_M_latched);
-  }
-  const bool stops = event.triggered && measuring.after == machine::AfterSignal::Stop;
+  const bool stops =
+      (event.triggered || measuring.further != 0) && measuring.after == machine::AfterSignal::Stop;
   if (stops || !channel.couplings.empty()) {
     channel.arrived_at_machine();
   } else {
@@ -88,12 +112,16 @@ Result<machine::SkipMove, Failure> listening_move(const Channel& channel,
   }
   move.further.emplace();
   move.further->input = measuring.further;
+  move.further->comes_second = measuring.in_order;
   move.further->within_mm = channel.simultaneous_limit().value_or(move.further->within_mm);
   return move;
 }
 
-/// What the second of two probes has latched; nullptr: there is none.
+/// What another probe has latched beside what the event of the move says; nullptr: none has.
 const machine::FurtherTouch* further_of(const machine::SkipOutcome& outcome) {
+  if (const auto* const one = alone_of(outcome)) {
+    return &one->touch;
+  }
   const auto* const touched = std::get_if<machine::Touched>(&outcome);
   return touched != nullptr && touched->further ? &*touched->further : nullptr;
 }
@@ -114,6 +142,7 @@ void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent ev
   if (const machine::FurtherTouch* const further = further_of(outcome)) {
     event.q_M_latched = further->q_M_latched;
     event.contact = further->contact;
+    event.triggered = true;
     channel.outlet.touched_as_well(event);
   }
 }
@@ -159,6 +188,9 @@ Result<bool, Failure> measure_along(Channel& channel, const Block& block,
     return from_fault(outcome.error());
   }
   const bool no_edge = std::holds_alternative<machine::NoEdge>(outcome.value());
+  if (no_edge && !measuring.asks_at_start) {
+    return failure(AlarmId::NotImplemented, "MEASA, mode 3, with a probe that has switched before");
+  }
   if (no_edge && !measuring.by_action) {
     return failure(measuring.edge == machine::SignalEdge::Rising ? AlarmId::ProbeDeflected
                                                                  : AlarmId::ProbeNotDeflected);
@@ -168,9 +200,7 @@ Result<bool, Failure> measure_along(Channel& channel, const Block& block,
   move_followers(channel, channel.port.position() - q_M_from);
   event.block = "MEAS";
   event.where = block.where;
-  if (const machine::FurtherTouch* const further = further_of(outcome.value())) {
-    settle_second(channel, *further, measuring.further);
-  }
+  latch(channel, outcome.value(), measuring);
   settle(channel, event, measuring, way.q_W_end);
   if (event.triggered || is_last) {
     report(channel, measuring, event, outcome.value(), state);

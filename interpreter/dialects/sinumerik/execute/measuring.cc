@@ -29,6 +29,7 @@ Result<Measuring, Failure> with_second(Measuring first, const BlockWords::AxisMe
     return failure(*std::move(wrong));
   }
   first.further = static_cast<int>(std::abs(axis.second_trigger));
+  first.in_order = measuring_mode(axis.mode) != MeasuringMode::AnyOrder;
   return first;
 }
 
@@ -53,7 +54,8 @@ Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
       return failure(*std::move(wrong));
     }
     if (first != nullptr && (first->trigger != axis->trigger || first->goes_on != axis->goes_on ||
-                             first->second_trigger != axis->second_trigger)) {
+                             first->second_trigger != axis->second_trigger ||
+                             measuring_mode(first->mode) != measuring_mode(axis->mode))) {
       return failure(measured_twice());
     }
     first = &*axis;
@@ -67,7 +69,12 @@ Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
   if (found && first->second_trigger != 0.0) {
     found = with_second(found.value(), *first);
   }
-  return found ? Result<std::optional<Measuring>, Failure>(found.value()) : found.error();
+  if (!found) {
+    return found.error();
+  }
+  Measuring measuring = found.value();
+  measuring.asks_at_start = measuring_mode(first->mode) != MeasuringMode::InOrderUnasked;
+  return std::optional(measuring);
 }
 
 }  // namespace

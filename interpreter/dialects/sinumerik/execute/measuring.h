@@ -10,8 +10,10 @@ struct Measuring {
   int probe = 1;
   machine::SignalEdge edge = machine::SignalEdge::Rising;
   machine::AfterSignal after = machine::AfterSignal::Stop;
-  bool by_action = false;  ///< DELDTG: nothing is latched
-  int further = 0;         ///< a second probe, 0: none
+  bool by_action = false;     ///< DELDTG: nothing is latched
+  int further = 0;            ///< a second probe, 0: none
+  bool in_order = false;      ///< its edge counts behind that of the first one
+  bool asks_at_start = true;  ///< a probe that is as its edge would leave it is an alarm
 };
 
 /// Of a block that listens to the probe.
