@@ -35,5 +35,15 @@ TEST_F(SetupErrorText, OfFilesOfParts) {
   }
 }
 
+TEST_F(SetupErrorText, OfAPartFileThatIsAFolder) {
+  std::filesystem::create_directory(path_of("meshes"));
+  expect_text({"a folder", "[[part]]\nfile = \"meshes\"\n",
+               R"(sheet1.toml:2:8: error: there is no file meshes [SET107]
+    2 | file = "meshes"
+      |        ^
+      = this is a folder: name a mesh or STEP file in it
+)"});
+}
+
 }  // namespace
 }  // namespace g31::setup::setup_part_errors_test

@@ -99,6 +99,17 @@ TEST_F(SetupErrorText, OfLoopsThatSwing) {
 )"});
 }
 
+TEST_F(SetupErrorText, OfACyclicErrorThatTurnsBack) {
+  expect_text(
+      {"a cyclic error of two millimetres on a screw of ten",
+       "[machine.axes.X]\ncyclic_error = 2.0\n",
+       R"(sheet1.toml:1:15: error: the cyclic error of axis X would turn the axis back while its encoder goes on [SET158]
+    1 | [machine.axes.X]
+      |               ^
+      = with this cyclic_pitch, cyclic_error has to be below 1.59155
+)"});
+}
+
 const ErrorCase kOfWhatTheControlBelieves[] = {
     {"a belief about an axis that carries nothing", "[believed.axes.C]\ncentre = [0.0, 0.0, 1.0]\n",
      R"(sheet1.toml:1:16: error: axis C carries neither part nor tool, so the control can believe nothing of it [SET114]

@@ -270,7 +270,9 @@ parts::PartSetup part_from(const SheetTable& table, const runtime::ControlSetup&
   const Entry* file = keys.find(KeyId::PartFile);
   if (file != nullptr && !std::filesystem::is_regular_file(part.file, unreadable)) {
     errors.add(SetupErrorId::FileNotFound, file->where, {part.file},
-               "paths start at the folder of the sheet");
+               std::filesystem::is_directory(part.file, unreadable)
+                   ? "this is a folder: name a mesh or STEP file in it"
+                   : "paths start at the folder of the sheet");
   }
   return part;
 }

@@ -1,6 +1,7 @@
 #include "tools/setup/fill_machine.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,16 @@ void fill_axis(machine::AxisSetup& axis, const TableKeys& keys) {
   axis.scale_growth.expansion = keys.get(KeyId::AxisExpansion, axis.scale_growth.expansion);
   axis.scale_growth.temperature = keys.get(KeyId::AxisTemperature, axis.scale_growth.temperature);
   axis.scale_fixed_at = keys.get(KeyId::AxisFixedAt, axis.scale_fixed_at);
+}
+
+/// With more than that the axis would go back while its encoder goes on: no screw does.
+void check_cyclic_error(const machine::AxisSetup& axis, const SheetTable& table,
+                        const std::string& letter, ErrorList& errors) {
+  const double most = axis.cyclic_error.pitch / (2.0 * std::numbers::pi);
+  if (axis.cyclic_error.amplitude >= most) {
+    errors.add(SetupErrorId::CyclicErrorTurnsBack, table.where, {letter},
+               fmt::format("with this cyclic_pitch, cyclic_error has to be below {:.6g}", most));
+  }
 }
 
 /// A position loop that is too fast for its velocity loop swings ever farther.
@@ -186,6 +197,7 @@ machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors) {
     } else if (place.first == SectionId::MachineAxes && !is_further_axis(place.second)) {
       machine::AxisSetup& axis = machine.axes.at(index_of_axis(place.second));
       fill_axis(axis, keys);
+      check_cyclic_error(axis, table, place.second, errors);
       check_loops(axis, table, place.second, errors);
       fill_rotary(machine.chain, place.second, keys, kTrueAxis);
     } else if (place.first == SectionId::MachineErrors) {

@@ -16,6 +16,14 @@ namespace {
 /// 7.5).
 constexpr double kLeastInverseTime = 0.001;
 
+/// mm/min, below every increment of F: what is less comes of a variable, and is no feed.
+constexpr double kLeastFeed = 1e-6;
+
+Result<double, Failure> no_less(double feed_mm_min) {
+  return feed_mm_min >= kLeastFeed ? Result<double, Failure>(feed_mm_min)
+                                   : block_failure(AlarmId::NoFeed);
+}
+
 /// As the machine counts the way.
 double length_of(const FeedWay& way) {
   const AxisPositions d = way.q_end - way.q_from;
@@ -79,7 +87,7 @@ Result<double, Failure> feed_by_turns(const Control& control, double turn_min) {
     return block_failure(AlarmId::NoFeed);
   }
   return turn_min > 0.0 && std::isfinite(turn_min)
-             ? Result<double, Failure>(control.to_mm(control.modal.feed) / turn_min)
+             ? no_less(control.to_mm(control.modal.feed) / turn_min)
              : no_speed();
 }
 
@@ -116,10 +124,10 @@ Result<double, Failure> feed_in_force(const Control& control) {
   }
   const double feed = control.to_mm(control.modal.feed);
   if (!control.modal.per_revolution()) {
-    return feed;
+    return no_less(feed);
   }
   const double speed = spindle_speed(control);
-  return speed > 0.0 && std::isfinite(speed) ? Result<double, Failure>(feed * speed) : no_speed();
+  return speed > 0.0 && std::isfinite(speed) ? no_less(feed * speed) : no_speed();
 }
 
 double switched_feed(const Control& control, double feed_mm_min) {

@@ -12,6 +12,7 @@
 namespace g31::fanuc {
 namespace {
 
+constexpr double kLeastLead = 1e-6;  // of either unit
 constexpr double kLongestLeadMm = 500.0;
 constexpr double kLongestLeadInch = 9.9999;
 
@@ -29,7 +30,7 @@ Result<double, Failure> thread_feed(const Control& control, const FeedWay& way) 
   const double lead = control.modal.feed;
   const bool is_inch = control.scale.unit == LengthUnit::Inch;
   const double most = is_inch ? kLongestLeadInch : kLongestLeadMm;
-  if (lead <= 0.0 || lead > most) {
+  if (lead < kLeastLead || lead > most) {
     return block_failure(AlarmId::IllegalLead, fmt::format("the lead F is {}", lead));
   }
   const double turn = turn_over(control, way);

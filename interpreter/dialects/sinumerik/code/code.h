@@ -216,6 +216,11 @@ struct CompiledProgram {
   bool saves_codes = false;         ///< SAVE
   bool hides_blocks = false;        ///< DISPLOF
   bool shows_actual_block = false;  ///< ACTBLOCNO
+
+  [[nodiscard]] ElementCounts element_counts() const {
+    return {initial_numbers.size(), static_cast<std::size_t>(text_count),
+            static_cast<std::size_t>(frame_count)};
+  }
 };
 
 inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/sinumerik/code/definitions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/constants.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
@@ -23,6 +25,8 @@ bool is_of_the_language(std::string_view name) {
 constexpr std::size_t kLongestName = 31;
 constexpr std::int32_t kLongestString = 200;
 constexpr int kLargestArray = 100'000;  // elements
+/// MB for all variables of a program together, or of all definition files; a bound of g31.
+constexpr std::size_t kMostMemory = 32;
 
 /// The definition file of the control whose data programs of earlier software write and nothing
 /// reads: writing anything but 0 is told.
@@ -142,12 +146,26 @@ std::int32_t Definitions::defined_alike(const Variable& variable) {
   return is_alike ? variables_.import(*known) : -1;
 }
 
+/// Alarm 12560 where a variable takes all of them together past their memory.
+void Definitions::limit_memory(ElementCounts counts, const Variable& variable) {
+  counts.of(variable.type) += static_cast<std::size_t>(variable.shape.count());
+  if (counts.bytes() > kMostMemory * 1'000'000) {
+    fail(AlarmId::ValueOutOfLimits, block(),
+         fmt::format("size of all variables together: {} MB at most", kMostMemory));
+  }
+}
+
 std::int32_t Definitions::define(const Variable& variable) {
   if (purpose_ != Purpose::Definitions) {
-    return variables_.define_local(variable);
+    limit_memory(program_.element_counts(), variable);
+    return failed() ? -1 : variables_.define_local(variable);
   }
   if (const std::int32_t known = defined_alike(variable); known >= 0) {
     return known;
+  }
+  limit_memory(defined_->element_counts(), variable);
+  if (failed()) {
+    return -1;
   }
   const Variable* const global = defined_->define(variable);
   if (global == nullptr) {

@@ -34,6 +34,10 @@ class Globals {
   [[nodiscard]] const std::vector<double>& initial_numbers() const { return numbers_; }
   [[nodiscard]] std::int32_t text_count() const { return text_count_; }
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
+  [[nodiscard]] ElementCounts element_counts() const {
+    return {numbers_.size(), static_cast<std::size_t>(text_count_),
+            static_cast<std::size_t>(frame_count_)};
+  }
 
   Macros macros;          ///< of the user's definition files; what is shipped does not see them
   Macros shipped_macros;  ///< of those that come with the control, as its programs see them
