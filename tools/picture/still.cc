@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
+#include "machine/base/xml_text.h"
 #include "tools/picture/still_view.h"
-#include "tools/picture/svg_text.h"
 
 namespace g31::picture {
 namespace {

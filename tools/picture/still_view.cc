@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/xml_text.h"
 #include "tools/picture/base64.h"
 #include "tools/picture/feature_edges.h"
 #include "tools/picture/png.h"
-#include "tools/picture/svg_text.h"
 
 namespace g31::picture {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "machine/base/utf_8.h"
+#include "machine/base/xml_text.h"
 
 namespace g31::plot {
 namespace {
@@ -60,26 +60,6 @@ std::string style_element() {
       colours_of(":root[data-theme=dark] .plot", kDark));
 }
 
-std::string escaped(std::string_view words) {
-  std::string text;
-  for (const char c : as_valid_utf_8(words)) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      default:
-        text += c;
-    }
-  }
-  return text;
-}
-
 constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
 
 }  // namespace
@@ -99,7 +79,7 @@ Svg::Svg(double width, double height, std::string_view title, Language language,
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" class=\"plot\" role=\"img\"{4}>\n<title>{2}</title>\n{3}"
       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-      width, height, escaped(title), style_element(),
+      width, height, xml_escaped(title), style_element(),
       language == Language::English ? std::string()
                                     : fmt::format(" xml:lang=\"{}\"", name_of(language)));
 }
@@ -160,13 +140,13 @@ void Svg::arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, std::s
 void Svg::text(const Eigen::Vector2d& at, std::string_view words, Anchor anchor,
                std::string_view style) {
   add("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", style, at.x(),
-      at.y(), kAnchors[static_cast<std::size_t>(anchor)], escaped(words));
+      at.y(), kAnchors[static_cast<std::size_t>(anchor)], xml_escaped(words));
 }
 
 void Svg::text_upwards(const Eigen::Vector2d& at, std::string_view words) {
   add("<text transform=\"translate({:.2f} {:.2f}) rotate(-90)\" "
       "text-anchor=\"middle\">{}</text>\n",
-      at.x(), at.y(), escaped(words));
+      at.x(), at.y(), xml_escaped(words));
 }
 
 std::string Svg::finish() const {
