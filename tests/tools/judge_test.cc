@@ -387,6 +387,24 @@ TEST(JudgeOverALine, CallsMissingWhatSilenceLeavesOut) {
   EXPECT_EQ(output.rows()[2].at("verdict"), "missing");
 }
 
+TEST(JudgeOverALine, ANumberThatWasCutOffDoesNotCount) {
+  for (const char* const rest : {"F1-Y 25", "F1-Y 25\x14"}) {
+    const PlayedPrinter line;
+    say(line, std::string("F1-X 40.012\n") + rest);
+    const JudgeOutput output = judge_line(line, ",19200,n,8,1", 0.5);
+    EXPECT_EQ(output.exit_code, 1);
+    EXPECT_EQ(output.rows()[0].at("verdict"), "good");
+    EXPECT_EQ(output.rows()[1].at("verdict"), "missing");
+    EXPECT_NE(output.errors.find("does not count: \"F1-Y 25\""), std::string::npos)
+        << output.errors;
+  }
+  const PlayedPrinter line;
+  say(line, "F1-X 40\nF1-Y 25\nF1-X-PLACE -3\n%\x14");
+  const JudgeOutput whole = judge_line(line, ",19200,n,8,1", 30.0);
+  EXPECT_EQ(whole.exit_code, 0);
+  EXPECT_EQ(whole.errors, "") << "the end of a tape is no line";
+}
+
 TEST(JudgeOverALine, ReadsWhatARunPrints) {
   const TemporaryFolder folder;
   PlayedPrinter printer;

@@ -164,6 +164,21 @@ class Outputs(Pipes):
         self.assertEqual(code, 6, errors)
         self.assertLess(time.monotonic() - began, 2.5, "3 s without a limit")
 
+    def test_every_output_waits_for_its_reader(self):
+        (self.folder / "says.nc").write_text("%\nO1\nPOPEN\nDPRNT[HELLO]\nPCLOS\nM30\n%\n")
+        other = self.folder / "other"
+        os.mkfifo(other)
+        for option in ("--printer", "--json", "--jsonl", "--trace"):
+            run = self.start("run", "says.nc", option, "other")
+            time.sleep(0.5)
+            self.assertIsNone(run.poll(), option)
+            with open(other) as reader:
+                text = reader.read()
+            self.assertEqual(run.wait(timeout=GENEROUS), 0, option)
+            self.assertTrue(text, option)
+            if option == "--printer":
+                self.assertEqual(text, "HELLO\n")
+
     def test_a_reader_that_is_a_little_late_gets_all(self):
         (self.folder / "ends.nc").write_text(self.MOVES.replace("M30", "N1GOTO1"))
         run = self.start("run", "ends.nc", "--moves", "--json", "pipe", "--max-time", "0.5")

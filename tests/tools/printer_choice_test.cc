@@ -74,7 +74,7 @@ TEST_F(PrinterChoice, IsRefusedBeforeAnythingRuns) {
   const std::pair<std::string, std::string> kCases[] = {
       {folder_.path("none/out.txt"), "cannot write: No such file or directory"},
       {folder_.path(""), "cannot write: Is a directory"},
-      {pipe, "cannot write: nothing reads from it"},
+      {pipe, "cannot write: nobody has read this pipe for 3 s"},
       {terminal.device(), "a serial line needs its settings: " + terminal.device() + ",4800,e,7,2"},
       {terminal.device() + ",4800,q,7,2", "parity \"q\": e (even), o (odd) or n (none)"},
       {terminal.device() + ",4700,e,7,2", "baud rate \"4700\": one of"},

@@ -214,6 +214,31 @@ TEST(SerialPrinter, ThatNeverGoesOnLetsTheRunBeInterrupted) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s) << "not the 30 s of the printer";
 }
 
+TEST(SerialPrinter, ThatNeverGoesOnTakesNoMoreTimeThanTheRunMay) {
+  PlayedPrinter printer([&](PlayedPrinter& self, const std::string& received) {
+    if (received.size() < 100) {
+      self.say(kDC3);
+    }
+  });
+  cli::RunOptions options;
+  options.budget.wall_seconds = 0.3;
+  const auto begin = std::chrono::steady_clock::now();
+  const RunOutput output = run_blocks(printer, long_printout(), "19200,e,7,2", options);
+  EXPECT_EQ(output.exit_code, 6);
+  EXPECT_NE(output.errors.find("the limit of computing time is reached while /dev/"),
+            std::string::npos)
+      << output.errors;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s) << "not the 30 s of the printer";
+}
+
+TEST(SerialPrinter, ALimitBeyondAllClocksIsNone) {
+  PlayedPrinter printer;
+  cli::RunOptions options;
+  options.budget.wall_seconds = 1e300;
+  options.printer_wait_s = 1e300;
+  EXPECT_EQ(run_blocks(printer, "POPEN\nDPRNT[X]\nPCLOS\n", "19200,e,7,2", options).exit_code, 0);
+}
+
 /// 1,000 characters are 17 s on this line.
 TEST(SerialPrinter, TakesNoMoreTimeThanTheRunMay) {
   PlayedPrinter printer;

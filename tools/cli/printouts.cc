@@ -1,5 +1,6 @@
 #include "tools/cli/printouts.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -26,15 +27,21 @@ Refusal wrong_printer(const std::string& text, std::string_view why) {
   return session::bad_input(fmt::format("--printer {}: {}", text, why));
 }
 
+std::chrono::nanoseconds nanoseconds(double seconds) {
+  constexpr double kLongest = 1e9;  // 30 years; ten times that is more than a clock counts
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::chrono::duration<double>(std::min(seconds, kLongest)));
+}
+
 Result<Printer, Refusal> open_line(const RunOptions& options) {
   const auto line = printer::parse_line_spec(options.printer);
   if (!line) {
     return wrong_printer(options.printer, line.error());
   }
-  const std::chrono::duration<double> patience(options.printer_wait_s);
   const auto opened = printer::SerialPrinter::open(
-      line.value(), std::chrono::duration_cast<std::chrono::nanoseconds>(patience),
-      options.budget.interruption);
+      line.value(), {nanoseconds(options.printer_wait_s),
+                     std::chrono::steady_clock::now() + nanoseconds(options.budget.wall_seconds),
+                     options.budget.interruption});
   if (!opened) {
     return wrong_printer(options.printer, opened.error());
   }
@@ -43,24 +50,28 @@ Result<Printer, Refusal> open_line(const RunOptions& options) {
 
 /// A device or a pipe: what is printed goes there at once.
 Result<std::FILE*, Refusal> open_device(const std::string& path) {
-  // Without O_NONBLOCK a pipe that nobody reads would keep us here for ever.
+  struct stat is = {};
+  if (::stat(path.c_str(), &is) == 0 && S_ISFIFO(is.st_mode)) {
+    std::FILE* const pipe = disk::open_pipe(path);
+    return pipe != nullptr
+               ? Result<std::FILE*, Refusal>(pipe)
+               : wrong_printer(path, fmt::format("cannot write: {}", errno == ENXIO
+                                                                         ? disk::nobody_reads()
+                                                                         : disk::words_for(errno)));
+  }
+  // A line that waits for its modem would keep us here for ever without O_NONBLOCK.
   const int fd =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
   if (fd < 0) {
-    const std::string_view why = errno == ENXIO ? "nothing reads from it" : std::strerror(errno);
-    return wrong_printer(path, fmt::format("cannot write: {}", why));
+    return wrong_printer(path, fmt::format("cannot write: {}", std::strerror(errno)));
   }
   if (::isatty(fd) != 0) {
     ::close(fd);
     return wrong_printer(path,
                          fmt::format("a serial line needs its settings: {},4800,e,7,2", path));
   }
-  struct stat is = {};
-  const bool is_pipe = ::fstat(fd, &is) == 0 && S_ISFIFO(is.st_mode);
-  if (!is_pipe) {
-    ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-  }
-  std::FILE* const file = is_pipe ? disk::pipe_stream(fd) : ::fdopen(fd, "wb");
+  ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+  std::FILE* const file = ::fdopen(fd, "wb");
   if (file == nullptr) {
     ::close(fd);
     return wrong_printer(path, std::strerror(errno));

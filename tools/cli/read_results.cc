@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "tools/cli/read_input.h"
 #include "tools/plan/judgement.h"
 #include "tools/printer/line_code.h"
@@ -26,6 +27,23 @@ bool has_all(const std::string& text, const std::vector<plan::Measure>& measures
   const std::size_t whole = text.rfind('\n');  // a number without its end may go on
   return whole != std::string::npos &&
          plan::count(plan::judged(measures, text.substr(0, whole)), plan::Verdict::Missing) == 0;
+}
+
+/// A printer ends each line: of one that was cut off a number may lack figures, so it does not
+/// count.
+plan::PrintedResults whole_lines(const std::string& from, const std::string& text) {
+  const std::size_t last_end = text.rfind('\n');
+  const std::size_t whole = last_end == std::string::npos ? 0 : last_end + 1;
+  const std::string rest = source::printable(std::string_view(text).substr(whole));
+  if (rest.find_first_not_of(" %?") != std::string::npos) {
+    std::fputs(
+        fmt::format("{}: warning: the last line has not come to its end, so that it does not "
+                    "count: \"{}\"\n",
+                    from, rest)
+            .c_str(),
+        stderr);
+  }
+  return {from, text.substr(0, whole)};
 }
 
 Result<plan::PrintedResults, session::Refusal> received(
@@ -63,7 +81,7 @@ Result<plan::PrintedResults, session::Refusal> received(
                                             kMostReceived, kLargestPrintout.advice));
     }
   }
-  return plan::PrintedResults{options.results, printer::decoded(bytes, line)};
+  return whole_lines(options.results, printer::decoded(bytes, line));
 }
 
 }  // namespace

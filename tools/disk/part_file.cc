@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSuffix = ".part";
-constexpr int kPipePatienceS = 3;
 
 std::string last_error() {
   return words_for(errno);
@@ -118,26 +117,6 @@ std::FILE* new_file(const std::string& target, std::string& name) {
   return descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
 
-/// Opens a pipe once somebody reads it; nullptr: errno says why not, ENXIO that nobody does.
-std::FILE* open_pipe(const std::string& path) {
-  constexpr int kLooksPerSecond = 50;
-  for (int looks = 1;; ++looks) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor >= 0) {
-      return pipe_stream(descriptor);
-    }
-    if (errno != ENXIO) {
-      return nullptr;
-    }
-    const double waited_s = static_cast<double>(looks) / kLooksPerSecond;
-    if (const auto why = why_give_up_output(waited_s, kPipePatienceS)) {
-      errno = why == GivenUp::Stall ? ENXIO : error_of(*why);
-      return nullptr;
-    }
-    ::usleep(1'000'000 / kLooksPerSecond);
-  }
-}
-
 /// The new file looks like the one that it will replace, as far as we may.
 void take_after(std::FILE* file, const struct stat& replaced) {
   const bool is_ours = ::fchown(::fileno(file), replaced.st_uid, replaced.st_gid) == 0;
@@ -197,7 +176,7 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   if (is_there && is_device_or_pipe(is)) {
     std::FILE* const file = S_ISFIFO(is.st_mode) ? open_pipe(path) : std::fopen(path.c_str(), "wb");
     if (file == nullptr && errno == ENXIO) {
-      return fmt::format("nobody has read this pipe for {} s", kPipePatienceS);
+      return nobody_reads();
     }
     return file != nullptr ? Result<std::shared_ptr<PartFile>, std::string>(made(file, path, ""))
                            : last_error();

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <string_view>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -137,6 +138,29 @@ std::FILE* pipe_stream(int descriptor, double stall_s) {
     delete pipe;
   }
   return file;
+}
+
+std::FILE* open_pipe(const std::string& path) {
+  constexpr int kLooksPerSecond = 50;
+  for (int looks = 1;; ++looks) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0) {
+      return pipe_stream(descriptor);
+    }
+    if (errno != ENXIO) {
+      return nullptr;
+    }
+    const double waited_s = static_cast<double>(looks) / kLooksPerSecond;
+    if (const auto why = why_give_up_output(waited_s, kPipePatienceS)) {
+      errno = why == GivenUp::Stall ? ENXIO : error_of(*why);
+      return nullptr;
+    }
+    ::usleep(1'000'000 / kLooksPerSecond);
+  }
+}
+
+std::string nobody_reads() {
+  return fmt::format("nobody has read this pipe for {} s", kPipePatienceS);
 }
 
 int error_of(GivenUp why) {

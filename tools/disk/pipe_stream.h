@@ -19,6 +19,16 @@ inline constexpr double kPipeStallS = 60.0;
 /// @returns nullptr: errno says why there is none
 std::FILE* pipe_stream(int descriptor, double stall_s = kPipeStallS);
 
+/// How long somebody who reads a named pipe is waited for.
+inline constexpr double kPipePatienceS = 3.0;
+
+/// The stream into a named pipe, once somebody reads it.
+/// @returns nullptr: errno says why not, ENXIO that nobody does
+std::FILE* open_pipe(const std::string& path);
+
+/// What is told then.
+std::string nobody_reads();
+
 /// The errno of a pipe that was given up; nothing else that we write to says one of these.
 int error_of(GivenUp why);
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/runtime/budget_spent.h"
+
 namespace g31::printer {
 namespace {
 
@@ -21,26 +23,22 @@ double seconds(std::chrono::nanoseconds time) {
 
 }  // namespace
 
-SerialPrinter::SerialPrinter(LineSpec line, std::chrono::nanoseconds patience,
-                             std::shared_ptr<SerialPort> port,
-                             const runtime::Interruption* interruption)
+SerialPrinter::SerialPrinter(LineSpec line, const Patience& patience,
+                             std::shared_ptr<SerialPort> port)
     : line_(std::move(line)),
       patience_(patience),
-      interruption_(interruption),
       wire_(std::move(port)),
       character_time_(std::chrono::duration_cast<std::chrono::nanoseconds>(
           std::chrono::duration<double>(character_time_s(line_)))),
       sent_by_(Clock::now()) {}
 
-Result<std::shared_ptr<SerialPrinter>, std::string> SerialPrinter::open(
-    const LineSpec& line, std::chrono::nanoseconds patience,
-    const runtime::Interruption* interruption) {
+Result<std::shared_ptr<SerialPrinter>, std::string> SerialPrinter::open(const LineSpec& line,
+                                                                        const Patience& patience) {
   const auto port = open_serial_port(line);
   if (!port) {
     return port.error();
   }
-  return std::shared_ptr<SerialPrinter>(
-      new SerialPrinter(line, patience, port.value(), interruption));
+  return std::shared_ptr<SerialPrinter>(new SerialPrinter(line, patience, port.value()));
 }
 
 runtime::PrinterPort::Problem SerialPrinter::select() {
@@ -76,7 +74,7 @@ runtime::PrinterPort::Problem SerialPrinter::send_control(ControlCode code) {
 
 runtime::PrinterPort::Problem SerialPrinter::transmit(std::string_view coded) {
   Clock::time_point last_taken = Clock::now();
-  while (!coded.empty() && !runtime::is_interrupted(interruption_)) {
+  while (!coded.empty() && may_go_on()) {
     if (auto wrong = until_sent()) {
       return wrong;
     }
@@ -90,8 +88,9 @@ runtime::PrinterPort::Problem SerialPrinter::transmit(std::string_view coded) {
     const Clock::time_point now = Clock::now();
     if (taken.value() > 0) {
       last_taken = now;
-    } else if (now - last_taken > patience_) {
-      return problem(fmt::format("the line accepted no character for {:g} s", seconds(patience_)));
+    } else if (now - last_taken > patience_.at_a_time) {
+      return problem(
+          fmt::format("the line accepted no character for {:g} s", seconds(patience_.at_a_time)));
     }
     coded.remove_prefix(taken.value());
     // A line that takes nothing is tried again after the time of one character.
@@ -106,23 +105,33 @@ runtime::PrinterPort::Problem SerialPrinter::until_sent() {
     if (auto wrong = listen(sent_by_ - Clock::now())) {
       return wrong;
     }
-  } while (Clock::now() < sent_by_ && !runtime::is_interrupted(interruption_));
+  } while (Clock::now() < sent_by_ && may_go_on());
   return std::nullopt;
 }
 
 runtime::PrinterPort::Problem SerialPrinter::while_stopped() {
-  const Clock::time_point last = Clock::now() + patience_;
-  while (stopped_ && !runtime::is_interrupted(interruption_)) {
+  const Clock::time_point last = Clock::now() + patience_.at_a_time;
+  while (stopped_ && may_go_on()) {
     const Clock::duration left = last - Clock::now();
     if (left <= left.zero()) {
       return problem(fmt::format("the printer sent DC3 (stop) and no DC1 (resume) for {:g} s",
-                                 seconds(patience_)));
+                                 seconds(patience_.at_a_time)));
     }
     if (auto wrong = listen(std::min(left, kBetweenLooks))) {
       return wrong;
     }
   }
   return std::nullopt;
+}
+
+/// @returns false: interrupted
+/// @throws runtime::BudgetSpent
+bool SerialPrinter::may_go_on() const {
+  if (Clock::now() > patience_.at_all) {
+    throw runtime::BudgetSpent(source::DiagnosticId::BudgetTime,
+                               fmt::format(" while {} is waited for", line_.device));
+  }
+  return !runtime::is_interrupted(patience_.interruption);
 }
 
 /// Takes what the printer says, if anything, in the given time at most.

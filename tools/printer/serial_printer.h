@@ -21,33 +21,38 @@ namespace g31::printer {
 /// of the time that they take on the line.
 class SerialPrinter final : public runtime::PrinterPort {
  public:
-  /// @param patience  how long the printer may keep the program waiting at a time; a control waits
-  ///                  without end
-  /// @param interruption  what is left is not sent any more then; outlives this; nullptr: never
+  using Clock = std::chrono::steady_clock;
+
+  /// How long the printer may keep the program waiting; a control waits without end.
+  struct Patience {
+    std::chrono::nanoseconds at_a_time;
+    Clock::time_point at_all = Clock::time_point::max();
+    /// What is left is not sent any more then; outlives the printer; nullptr: never.
+    const runtime::Interruption* interruption = nullptr;
+  };
+
   /// @returns why the line cannot be opened
-  static Result<std::shared_ptr<SerialPrinter>, std::string> open(
-      const LineSpec& line, std::chrono::nanoseconds patience,
-      const runtime::Interruption* interruption = nullptr);
+  static Result<std::shared_ptr<SerialPrinter>, std::string> open(const LineSpec& line,
+                                                                  const Patience& patience);
+
+  // Each throws runtime::BudgetSpent where Patience::at_all is over.
 
   Problem select() override;
   Problem send(std::string_view bytes, runtime::PrintCode code) override;
   Problem release() override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  SerialPrinter(LineSpec line, std::chrono::nanoseconds patience, std::shared_ptr<SerialPort> port,
-                const runtime::Interruption* interruption);
+  SerialPrinter(LineSpec line, const Patience& patience, std::shared_ptr<SerialPort> port);
   Problem send_control(ControlCode code);
   Problem transmit(std::string_view coded);
   Problem until_sent();
   Problem while_stopped();
+  [[nodiscard]] bool may_go_on() const;
   Problem listen(std::chrono::nanoseconds longest);
   [[nodiscard]] std::string problem(std::string_view what) const;
 
   LineSpec line_;
-  std::chrono::nanoseconds patience_;
-  const runtime::Interruption* interruption_;
+  Patience patience_;
   SerialLine wire_;
   std::chrono::nanoseconds character_time_;
   Clock::time_point sent_by_;  // when the line has carried all that it was given
