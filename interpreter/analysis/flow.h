@@ -76,6 +76,7 @@ struct Fault {
     NotSimulated,  ///< g31 does not run this yet; a control does
     Comparison,    ///< no fault of the block: it compares otherwise than it looks
     LostPoint,     ///< the same: a number is read otherwise than it looks
+    SurplusEnd,    ///< the same: it ends what has not begun, which the control passes over
   };
   Kind kind = Kind::Block;
   int alarm = 0;  ///< its number on the control; 0: none

@@ -28,6 +28,16 @@ void tell_mixed_comparisons(const sinumerik::CompiledProgram& program, Sinumerik
   }
 }
 
+void tell_surplus_ends(const sinumerik::CompiledProgram& program, SinumerikWays& ways) {
+  for (std::size_t place = 0; place < program.ops.size(); ++place) {
+    if (program.ops[place].code == sinumerik::OpCode::SurplusEnd) {
+      ways.blocks[ways.block_of[place]].faults.push_back(
+          {Fault::Kind::SurplusEnd, 0, program.spans[place], "ENDIF without IF",
+           "remove it, or write the IF that it ends", std::nullopt});
+    }
+  }
+}
+
 std::map<BlockIndex, std::vector<std::string>> label_names(
     const sinumerik::CompiledProgram& program, const SinumerikWays& ways) {
   std::map<BlockIndex, std::vector<std::string>> names;
@@ -51,6 +61,7 @@ std::map<BlockIndex, std::vector<std::string>> label_names(
 Flow flow_of(const sinumerik::CompiledProgram& program) {
   SinumerikWays ways = ways_of(program);
   tell_mixed_comparisons(program, ways);
+  tell_surplus_ends(program, ways);
   const auto names = label_names(program, ways);
   const SinumerikAccesses accesses(program);
   FlowBuilder builder(program.name, *program.file);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/analysis/look_alikes.h"
+#include "interpreter/source/readable_text.h"
 
 namespace g31::analysis {
 namespace {
@@ -27,23 +28,10 @@ RuleId rule_of(Fault::Kind kind) {
       return RuleId::MixedComparison;
     case Fault::Kind::LostPoint:
       return RuleId::LostPoint;
+    case Fault::Kind::SurplusEnd:
+      return RuleId::SurplusEnd;
   }
   return RuleId::WrongBlock;
-}
-
-/// Pictures, meshes and archives have control characters all over; a text has line ends, and one
-/// that came over a line perhaps NUL at both ends and a few DC codes.
-bool is_no_text(std::string_view text) {
-  constexpr std::size_t kOneIn = 50;
-  constexpr std::size_t kFew = 3;  // in a short text, too
-  const std::size_t first = std::min(text.find_first_not_of('\0'), text.size());
-  const std::size_t last = text.find_last_not_of('\0');
-  const std::string_view inner =
-      last == text.npos ? std::string_view() : text.substr(first, last + 1 - first);
-  const auto controls = std::ranges::count_if(inner, [](char c) {
-    return c >= '\0' && c < ' ' && std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
-  });
-  return static_cast<std::size_t>(controls) > std::max(inner.size() / kOneIn, kFew);
 }
 
 class Findings {
@@ -87,7 +75,8 @@ class Findings {
 
   void add(const Flow& flow, const Fault& fault, RuleId rule, bool is_reached) {
     // What g31 lacks is no mistake of the program, wherever it stands; no control refuses a doubt.
-    const bool is_doubt = rule == RuleId::MixedComparison || rule == RuleId::LostPoint;
+    const bool is_doubt =
+        rule == RuleId::MixedComparison || rule == RuleId::LostPoint || rule == RuleId::SurplusEnd;
     const bool is_refused = rule != RuleId::NotSimulated && !is_doubt;
     if (!is_reached && is_refused) {
       rule = RuleId::UnreachedFault;
@@ -117,7 +106,7 @@ Finding no_program(const source::SourceFile& file, const std::string& why) {
 
 std::vector<Finding> static_findings(ProgramSet& programs, const std::string& path) {
   const source::SourceFile& file = programs.text(path);
-  if (is_no_text(file.text())) {
+  if (source::is_no_text(file.text())) {
     return {no_program(file, "this file is not text")};
   }
   if (auto refused = programs.refusal(path)) {

@@ -83,6 +83,15 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string printable_lines(std::string_view text) {
+  std::string shown;
+  for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n')) {
+    shown += printable(text.substr(0, end)) + '\n';
+    text.remove_prefix(end + 1);
+  }
+  return shown + printable(text);
+}
+
 std::string quoted(char c) {
   return is_printable_ascii(c) ? fmt::format("'{}'", c)
                                : fmt::format("the byte 0x{:02X}", byte_of(c));

@@ -171,4 +171,17 @@ std::string readable_text(std::string_view bytes) {
   return text;
 }
 
+bool is_no_text(std::string_view text) {
+  constexpr std::size_t kOneIn = 50;
+  constexpr std::size_t kFew = 3;  // in a short text, too
+  const std::size_t first = std::min(text.find_first_not_of('\0'), text.size());
+  const std::size_t last = text.find_last_not_of('\0');
+  const std::string_view inner =
+      last == text.npos ? std::string_view() : text.substr(first, last + 1 - first);
+  const auto controls = std::ranges::count_if(inner, [](char c) {
+    return c >= '\0' && c < ' ' && std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
+  });
+  return static_cast<std::size_t>(controls) > std::max(inner.size() / kOneIn, kFew);
+}
+
 }  // namespace g31::source

@@ -27,4 +27,8 @@ std::size_t bytes_in_front(std::string_view line, int column);
 /// @returns as many lines
 std::string readable_text(std::string_view bytes);
 
+/// Pictures, meshes and archives have control characters all over; a text has line ends, and one
+/// that came over a line perhaps NUL at both ends and a few DC codes.
+bool is_no_text(std::string_view text);
+
 }  // namespace g31::source

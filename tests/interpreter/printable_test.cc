@@ -58,5 +58,11 @@ TEST(Printable, OneCharacterInWords) {
   EXPECT_EQ(quoted('\xFB'), "the byte 0xFB");
 }
 
+TEST(Printable, KeepsTheEndsOfLines) {
+  EXPECT_EQ(printable_lines("a\x1b[31m\nb\r\n"), "a?[31m\nb?\n");
+  EXPECT_EQ(printable_lines(""), "");
+  EXPECT_EQ(printable_lines("\n\n\x07"), "\n\n?");
+}
+
 }  // namespace
 }  // namespace g31::source::printable_test

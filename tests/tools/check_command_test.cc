@@ -167,42 +167,6 @@ TEST(Check, ACallIsRightWhereOneOfTheProgramsOfItsNameTakesIt) {
   EXPECT_TRUE(found[0].starts_with("PART.MPF:3:1: error: alarm 12340")) << found[0];
 }
 
-TEST(Check, ComparisonsJoinedWithoutBracketsAreTold) {
-  TemporaryFolder folder;
-  const CheckOutput output = checked_files({folder.write("CASE.MPF",
-                                                         "DEF BOOL A,B,C\n"
-                                                         "IF R1==0 AND R2==0 GOTOF DONE\n"
-                                                         "WHILE R1>1 OR R2<5 OR R3<>2\n"
-                                                         "R1=1\n"
-                                                         "ENDWHILE\n"
-                                                         "IF (R1==0) AND (R2==0) GOTOF DONE\n"
-                                                         "IF A AND B==C GOTOF DONE\n"
-                                                         "IF (R1<2)==(A OR B) GOTOF DONE\n"
-                                                         "IF NOT A AND (R1<R2) GOTOF DONE\n"
-                                                         "R5=(R1==0 XOR R2==0)\n"
-                                                         "GOTOF DONE\n"
-                                                         "R6=(R1==0 AND R2==0)\n"
-                                                         "DONE:\n"
-                                                         "IF R1==2 AND A GOTOF LAST\n"
-                                                         "IF NOT R1==3 GOTOF LAST\n"
-                                                         "IF A AND R1==7 GOTOF LAST\n"
-                                                         "IF NOT A==B GOTOF LAST\n"
-                                                         "IF (R1==3)==(NOT A AND B) GOTOF LAST\n"
-                                                         "IF NOT (R1==3) AND A GOTOF LAST\n"
-                                                         "IF R1 B_AND 4==4 GOTOF LAST\n"
-                                                         "LAST: M30\n")});
-  EXPECT_EQ(places(output.text, folder),
-            (std::vector<std::string>{
-                "CASE.MPF:2:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-                "CASE.MPF:3:7: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-                "CASE.MPF:10:5: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-                "CASE.MPF:12:5: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-                "CASE.MPF:14:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-                "CASE.MPF:15:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-                "CASE.MPF:16:4: warning: AND, OR, XOR and NOT bind closer than comparisons [NC011]",
-            }));
-}
-
 TEST(Check, ConstantsThatDoNotFitAreTold) {
   TemporaryFolder folder;
   const std::string main = folder.write("PART.MPF",

@@ -78,6 +78,12 @@ class Refusals(unittest.TestCase):
             self.assertEqual((document.get("status"), document.get("exit_code")), ("usage", 2) if ends else (None, None))
             self.assertEqual(run.returncode, ends or 0, run.stderr)
 
+    def test_standard_input_is_checked_once(self):
+        for words in (("-", "-"), ("-", "--baseline", "-"), ("-", "--setup", "-")):
+            run = self.g31("check", *words)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn("- is standard input, which can be one file; here it is 2", run.stderr)
+
     def test_a_set_up_whose_variables_cannot_be_saved_is_none(self):
         (self.folder / "a.nc").write_text(RUNS)
         (self.folder / "s.toml").write_text('[control]\nvariables_file = "nodir/x.vars"\n')

@@ -187,6 +187,9 @@ Findings check(const Request& request, source::SourceMap& sources) {
     }
     add_callable(*programs, group, groups, request);
     for (const std::string& path : readable) {
+      if (runtime::is_interrupted(request.interruption)) {
+        return all;
+      }
       const source::SourceFile& file = programs->text(path);
       by_file[path] =
           without_disabled_ones(analysis::static_findings(*programs, path), group, file, sources);

@@ -7,6 +7,7 @@
 
 #include "interpreter/analysis/finding.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/interruption.h"
 #include "interpreter/source/source_map.h"
 #include "tools/check/program_paths.h"
 #include "tools/session/control.h"
@@ -21,6 +22,7 @@ struct Request {
   runtime::ControlSetup setup;              ///< what the sheets say the control knows
   /// Told behind each file of `paths`.
   std::function<void()> file_done = [] {};
+  const runtime::Interruption* interruption = nullptr;  ///< looked at behind each file
 };
 
 /// The findings of some files, file by file.
@@ -36,6 +38,7 @@ struct Findings {
 /// folder that are checked, in those that are named, in its folder, in the libraries, in the
 /// folders that are checked with its own, the nearest first, and among the programs shipped with
 /// g31.
+/// Work that is interrupted has the findings of some of the files.
 /// @param sources  gets the files that are read, and so shows where the findings are
 Findings check(const Request& request, source::SourceMap& sources);
 

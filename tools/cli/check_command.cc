@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -55,11 +56,8 @@ std::optional<session::Refusal> why_not(const CheckOptions& options) {
       return session::bad_input(fmt::format("--disable {}: {}", rule, *wrong));
     }
   }
-  if (options.baseline == "-" && std::ranges::find(options.files, "-") != options.files.end()) {
-    return session::bad_input(
-        "standard input cannot be both a program and the baseline: name a file");
-  }
-  return std::nullopt;
+  return session::asks_twice_for_standard_input(
+      {options.files, options.setups, std::span(&options.baseline, 1)});
 }
 
 /// The earlier findings that nobody wants to hear again; without a baseline none.
@@ -203,7 +201,11 @@ Result<ExitCode, session::Refusal> do_check(const CheckOptions& options, InputLi
   {
     Progress progress(request.paths.files.size(), "files", shows_progress(options.is_quiet));
     request.file_done = [&] { progress.one_done(); };
+    request.interruption = options.interruption;
     checked = check::check(request, sources);
+  }
+  if (runtime::is_interrupted(options.interruption)) {
+    return session::interrupted();
   }
   read.push_back(remembering.paths());
   if (const auto wrong = wrong_place(check_outputs(options), read)) {

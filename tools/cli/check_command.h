@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/interruption.h"
 #include "interpreter/source/diagnostic.h"
 #include "tools/cli/exit_code.h"
 
@@ -24,6 +25,7 @@ struct CheckOptions {
   bool lists_rules = false;
   bool is_quiet = false;  ///< no progress
   std::string version;    ///< of g31
+  const runtime::Interruption* interruption = nullptr;
 };
 
 /// Prints what is wrong with programs as far as it can be told without running them.

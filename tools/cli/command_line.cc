@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/control_and_level_options.h"
 #include "tools/cli/exit_code_help.h"
@@ -106,7 +107,8 @@ void take_interruptions(Options& options) {
   const runtime::Interruption& interruption = catch_interruption();
   options.run.budget.interruption = options.scene.run.budget.interruption = &interruption;
   options.view.interruption = options.study.interruption = options.evaluate.interruption =
-      options.plan.interruption = options.judge.interruption = &interruption;
+      options.plan.interruption = options.judge.interruption = options.check.interruption =
+          &interruption;
 }
 
 /// Where refused words want the document, "": nowhere, and the others, which may name files too.
@@ -200,7 +202,7 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   };
   app.footer(exit_code_help(""));
   app.failure_message([](const CLI::App* asked, const CLI::Error& error) {
-    return "g31: error: " + CLI::FailureMessage::simple(asked, error);
+    return "g31: error: " + source::printable_lines(CLI::FailureMessage::simple(asked, error));
   });
   const std::vector<std::string> words =
       without_help_word(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
@@ -216,7 +218,7 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
         return unwritten ? refuse(*unwritten) : ExitCode::Completed;
       }
     }
-    std::fputs(hint.c_str(), stderr);
+    std::fputs(source::printable_lines(hint).c_str(), stderr);
     tell_refused_words(options, words, error.what());
     return ExitCode::BadUsage;
   }

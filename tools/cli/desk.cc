@@ -128,10 +128,7 @@ void Desk::say(const std::string& text) const {
 }
 
 void Desk::progress(std::uint64_t blocks, double machine_time_s) {
-  line_.show([&](double elapsed_s) {
-    return fmt::format("running: {} blocks, {:.0f} s of machine time, {:.0f} s here", blocks,
-                       machine_time_s, elapsed_s);
-  });
+  show_run(line_, blocks, machine_time_s);
 }
 
 std::string Desk::place(source::Location where) const {

@@ -167,10 +167,16 @@ std::optional<Refusal> add_values(const OpenedRun& opened, const RunState& befor
                      : std::nullopt;
 }
 
-/// Sends everything where it goes.  @returns why it could not be
+/// Sends everything where it goes; documents say what of it nobody could read on standard output.
+/// @returns why it could not be
 std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs,
-                                 const report::RunResult& result) {
+                                 report::RunResult& result) {
   std::vector<Refusal> problems;
+  if (const auto wrong = print_values(opened, result)) {
+    problems.push_back(*wrong);
+    result.outcome.diagnostics.push_back(message_of(*wrong));
+    result.exit_code = static_cast<int>(exit_code_of(with_ended_wait(*wrong).ending));
+  }
   if (const auto wrong = deliver(opened, result)) {
     problems.push_back(*wrong);
   }

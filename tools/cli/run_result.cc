@@ -92,25 +92,25 @@ report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard
   return result;
 }
 
-std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::RunResult& result) {
-  const RunOptions& options = opened.options;
-  // The document is there although nobody reads the variables.
-  const auto written = options.json.empty() ? std::nullopt : write_document(opened, result);
-  if (options.json != "-" && options.jsonl != "-") {
-    std::string text;
-    for (const auto& [name, value] : result.variables) {
-      text += fmt::format("{} = {}\n", name, shown(value));
-    }
-    for (const report::ValueChange& change :
-         result.changes.value_or(std::vector<report::ValueChange>())) {
-      text +=
-          fmt::format("{} = {} (was {})\n", change.name, shown(change.after), shown(change.before));
-    }
-    if (auto wrong = write_out("-", text)) {
-      return wrong;
-    }
+std::optional<session::Refusal> print_values(const OpenedRun& opened,
+                                             const report::RunResult& result) {
+  if (opened.options.json == "-" || opened.options.jsonl == "-") {
+    return std::nullopt;
   }
-  return written;
+  std::string text;
+  for (const auto& [name, value] : result.variables) {
+    text += fmt::format("{} = {}\n", name, shown(value));
+  }
+  for (const report::ValueChange& change :
+       result.changes.value_or(std::vector<report::ValueChange>())) {
+    text +=
+        fmt::format("{} = {} (was {})\n", change.name, shown(change.after), shown(change.before));
+  }
+  return write_out("-", text);
+}
+
+std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::RunResult& result) {
+  return opened.options.json.empty() ? std::nullopt : write_document(opened, result);
 }
 
 }  // namespace g31::cli

@@ -44,8 +44,13 @@ struct OpenedRun {
 /// What a run that has ended tells of itself; what was made of it is still to be said.
 report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard);
 
-/// Sends the result where it goes: the document, or the variables asked for as lines.
+/// The variables asked for as lines of standard output, behind all that was printed there; nothing
+/// where a document goes there.
 /// @returns why it could not be written
+std::optional<session::Refusal> print_values(const OpenedRun& opened,
+                                             const report::RunResult& result);
+
+/// The document, where one is wanted.  @returns why it could not be written
 std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::RunResult& result);
 
 }  // namespace g31::cli

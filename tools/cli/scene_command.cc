@@ -1,6 +1,8 @@
 #include "tools/cli/scene_command.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,7 @@
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/refusal_document.h"
+#include "tools/cli/status_line.h"
 #include "tools/cli/svg_to_png.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
@@ -189,12 +192,18 @@ Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options, InputLi
   runtime::Budget budget = options.run.budget;
   budget.output = &output;
   budget.wall_seconds = time.left_s();
+  StatusLine line(shows_progress(options.is_quiet));
+  const std::function<void(std::uint64_t)> progress = [&](std::uint64_t blocks) {
+    show_run(line, blocks, recorder.time_s());
+  };
+  budget.progress = &progress;
   session::ProgramComments comments(disk, control);
   const runtime::Outcome outcome =
       session::heard(
           session::with_findings(world.value().findings, run.value()->session().run(budget)),
           comments, options.run.programs.front(), {}, programs.value()->sources())
           .outcome;
+  line.clear();
   // Which programs are called shows while it runs.
   read.push_back(disk.paths());
   if (const auto wrong = wrong_place(scene_outputs(options), read)) {

@@ -16,6 +16,7 @@ struct SceneOptions {
   std::string output;                ///< ends in one of kSceneForms
   std::optional<int> width;          ///< pixels, of a still
   std::optional<std::string> theme;  ///< of a still: light or dark
+  bool is_quiet = false;             ///< no progress
 };
 
 /// What a scene is written as, by the end of the file's name.

@@ -33,6 +33,7 @@ void add_scene_options(CLI::App& scene, SceneOptions& options) {
       ->type_name("THEME")
       ->check(CLI::IsMember(std::vector<std::string>{"light", "dark"}))
       ->default_str("light");
+  add_quiet_option(scene, options.is_quiet);
 }
 
 std::string scene_examples() {

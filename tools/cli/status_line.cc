@@ -1,6 +1,7 @@
 #include "tools/cli/status_line.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <string_view>
 
@@ -13,7 +14,9 @@
 namespace g31::cli {
 
 bool shows_progress(bool quiet) {
-  return !quiet && ::isatty(STDERR_FILENO) == 1;
+  const char* const kind = std::getenv("TERM");
+  const bool is_dumb = kind != nullptr && std::string_view(kind) == "dumb";
+  return !quiet && !is_dumb && ::isatty(STDERR_FILENO) == 1;
 }
 
 std::size_t terminal_width() {
@@ -48,6 +51,13 @@ void StatusLine::clear() {
     std::fflush(stderr);
     has_line_ = false;
   }
+}
+
+void show_run(StatusLine& line, std::uint64_t blocks, double machine_time_s) {
+  line.show([&](double elapsed_s) {
+    return fmt::format("running: {} blocks, {:.0f} s of machine time, {:.0f} s here", blocks,
+                       machine_time_s, elapsed_s);
+  });
 }
 
 }  // namespace g31::cli

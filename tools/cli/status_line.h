@@ -2,13 +2,15 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <string>
 
 namespace g31::cli {
 
-/// Whether people see how far work is: standard error is a terminal, and nobody wants silence.
+/// Whether people see how far work is: standard error is a terminal that can take a line back, and
+/// nobody wants silence.
 bool shows_progress(bool quiet);
 
 /// How many letters a line of the terminal has that standard error is; any number where nobody
@@ -43,5 +45,8 @@ class StatusLine {
   bool has_line_ = false;
   std::mutex mutex_;
 };
+
+/// How far a run is.
+void show_run(StatusLine& line, std::uint64_t blocks, double machine_time_s);
 
 }  // namespace g31::cli

@@ -186,7 +186,11 @@ Made run_study(const StudyOptions& options, InputLists& all_read) {
         }
         return std::move(run.row);
       },
-      [&] { progress.one_done(); });
+      [&] {
+        if (!runtime::is_interrupted(options.interruption)) {
+          progress.one_done();
+        }
+      });
   if (runtime::is_interrupted(options.interruption)) {
     return session::interrupted();
   }

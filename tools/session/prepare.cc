@@ -1,6 +1,7 @@
 #include "tools/session/prepare.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -149,22 +150,23 @@ std::optional<Refusal> lock_variables(Prepared& prepared) {
   return std::nullopt;
 }
 
-/// Standard input brings one text: whoever else wants one of it would get nothing.
-std::optional<Refusal> asks_twice_for_standard_input(const Request& request) {
-  const std::string kName = "-";
-  const auto times =
-      std::ranges::count(request.programs, kName) + std::ranges::count(request.setups, kName);
+}  // namespace
+
+std::optional<Refusal> asks_twice_for_standard_input(
+    std::initializer_list<std::span<const std::string>> inputs) {
+  std::ptrdiff_t times = 0;
+  for (const auto& names : inputs) {
+    times += std::ranges::count(names, "-");
+  }
   if (times < 2) {
     return std::nullopt;
   }
   return bad_input(fmt::format("- is standard input, which can be one file; here it is {}", times));
 }
 
-}  // namespace
-
 Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files,
                                   VariablesFile variables) {
-  if (auto wrong = asks_twice_for_standard_input(request)) {
+  if (auto wrong = asks_twice_for_standard_input({request.programs, request.setups})) {
     return *wrong;
   }
   const auto job =

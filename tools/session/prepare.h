@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,10 @@ enum class VariablesFile {
 /// @returns also a refusal where another run holds the variables file for too long
 Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files,
                                   VariablesFile variables = VariablesFile::IsRead);
+
+/// Standard input brings one text: whoever else wants one of it would get nothing.
+std::optional<Refusal> asks_twice_for_standard_input(
+    std::initializer_list<std::span<const std::string>> inputs);
 
 /// @param name  of the command line; empty: as the sheets say
 /// @return nullopt: they do not say

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "machine/base/contract.h"
 #include "tools/disk/disk.h"
 
@@ -66,7 +67,7 @@ Refusal refused_settings(const setup::Job& job,
 std::string render(const Refusal& refusal) {
   if (refusal.sheet_errors.empty()) {
     return fmt::format("g31: {}: {}\n", refusal.ending == Ending::Defect ? "defect" : "error",
-                       refusal.message);
+                       source::printable_lines(refusal.message));
   }
   std::string text;
   for (const setup::SetupError& error : refusal.sheet_errors) {

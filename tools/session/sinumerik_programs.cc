@@ -2,6 +2,7 @@
 
 #include "interpreter/dialects/sinumerik/code/library.h"
 #include "interpreter/dialects/sinumerik/run/session.h"
+#include "interpreter/source/readable_text.h"
 #include "tools/session/load_programs.h"
 
 namespace g31::session {
@@ -83,11 +84,11 @@ class SinumerikPrograms final : public Programs {
   sinumerik::ProgramLibrary library_;
 };
 
-/// Whether a file is no text: archives that a panel saves whole have zeros in their heads.
+/// As archives that a panel saves whole.
 bool is_binary(source::FileSystem& files, const std::string& path) {
   constexpr std::size_t kBeginning = 4096;
   const auto beginning = files.read_part(path, 0, kBeginning);
-  return beginning && beginning->find(char(0)) != std::string::npos;
+  return beginning && source::is_no_text(*beginning);
 }
 
 }  // namespace
