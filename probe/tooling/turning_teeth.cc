@@ -1,8 +1,10 @@
 #include "probe/tooling/turning_teeth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -121,18 +123,85 @@ class PassingTooth {
   /// Until its lowest point, or as much of its edge as is deep enough by then, is above the face.
   [[nodiscard]] std::optional<double> wait_above_s(double from_s) const {
     constexpr int kSteps = 360;
+    constexpr double kBesideDeg = 1e-7;
     const double turn_s = kFullTurnDeg / std::abs(turning_.rate_deg_s);
     std::optional<double> first;
-    for (int i = 0; i < kSteps && (!first || i * turn_s < *first * kSteps); ++i) {
-      const double comes_s = i * turn_s / kSteps;
+    const auto look = [&](double comes_s) {
       if (const auto rise = rise_above_face(angle_deg(from_s + comes_s))) {
         const double late_s = std::max(0.0, *rise / facing_.inwards_mm_s - comes_s);
         const double wait_s = comes_s + turn_s * std::ceil(late_s / turn_s);
         first = first ? std::min(*first, wait_s) : wait_s;
       }
+    };
+    // A beam of light is narrower than the steps.
+    for (const double degrees : turning_points_deg()) {
+      for (const double beside : {-kBesideDeg, kBesideDeg}) {
+        look(degrees_to(degrees + beside, from_s) * turn_s / kFullTurnDeg);
+      }
+    }
+    for (int i = 0; i < kSteps && (!first || i * turn_s < *first * kSteps); ++i) {
+      look(i * turn_s / kSteps);
     }
     return first;
   }
+
+  /// How far from the axis its lowest point is, or where its edge begins to rise outwards.
+  [[nodiscard]] double lowest_mm() const {
+    return cone_mm() > 0.0 ? 0.0 : blade_.rounded_centre.x();
+  }
+
+  /// How much a cone rises from the axis to its edge; 0: it is flat, or rounded.
+  [[nodiscard]] double cone_mm() const {
+    return blade_.rounded_centre.y() - blade_.rounded_radius + tooth_.length_mm;
+  }
+
+  /// Where a ray from the axis points to corners of the face, square to its sides, or to where its
+  /// lowest point or its end crosses them: from one of these to the next it is above the face in
+  /// one way.
+  [[nodiscard]] std::vector<double> turning_points_deg() const {
+    std::vector<double> degrees;
+    const auto add = [&](const Eigen::Vector2d& to) {
+      degrees.push_back(std::atan2(to.y(), to.x()) / kRadPerDeg);
+    };
+    const auto add_both = [&](double ahead, const Eigen::Vector2d& along, double aside,
+                              const Eigen::Vector2d& across) {
+      add(ahead * along + aside * across);
+      add(ahead * along - aside * across);
+    };
+    const auto aside_at = [](double radius, double ahead) {
+      return std::sqrt(std::max(0.0, radius * radius - ahead * ahead));
+    };
+    const Eigen::Vector2d& p = touch_.p_T_face;
+    const Eigen::Vector2d& half = touch_.face_half;
+    const std::array<double, 2> radii = {lowest_mm(), tooth_.radius_mm};
+    if (touch_.is_face_round) {
+      const double middle = p.norm();
+      const Eigen::Vector2d along = middle > 0.0 ? Eigen::Vector2d(p / middle) : touch_.face_side;
+      add(along);
+      for (const double radius : radii) {
+        const double power = radius * radius + middle * middle - half.x() * half.x();
+        const double ahead = middle > 0.0 ? power / (2.0 * middle) : 0.0;
+        add_both(ahead, along, aside_at(radius, ahead), square_to(along));
+      }
+      return degrees;
+    }
+    const Eigen::Vector2d other = square_to(touch_.face_side);
+    for (const auto& [along, to_side, across, to_end] :
+         {std::tuple(touch_.face_side, half.x(), other, half.y()),
+          std::tuple(other, half.y(), touch_.face_side, half.x())}) {
+      for (const double ahead : {p.dot(along) - to_side, p.dot(along) + to_side}) {
+        add(ahead * along);
+        add(ahead * along + (p.dot(across) - to_end) * across);
+        add(ahead * along + (p.dot(across) + to_end) * across);
+        for (const double radius : radii) {
+          add_both(ahead, along, aside_at(radius, ahead), across);
+        }
+      }
+    }
+    return degrees;
+  }
+
+  static Eigen::Vector2d square_to(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
   /// How much higher than its lowest point the edge is where it is above the face; nullopt:
   /// nowhere.
@@ -146,8 +215,8 @@ class PassingTooth {
       return 0.0;  // from below: rear edges are flat
     }
     const double rounding = blade_.rounded_radius;
-    const double cone = blade_.rounded_centre.y() - rounding + tooth_.length_mm;
-    const double lowest = cone > 0.0 ? 0.0 : blade_.rounded_centre.x();
+    const double cone = cone_mm();
+    const double lowest = lowest_mm();
     if (far < lowest) {
       return (lowest - far) * std::tan(kRadPerDeg * kDishDeg);
     }
@@ -174,7 +243,7 @@ class PassingTooth {
       return squared < 0.0 ? std::pair(1.0, 0.0)
                            : (clip(ahead - half, ahead + half), std::pair(near, far));
     }
-    const Eigen::Vector2d other(-touch_.face_side.y(), touch_.face_side.x());
+    const Eigen::Vector2d other = square_to(touch_.face_side);
     for (const auto& [side, half] : {std::pair(touch_.face_side, touch_.face_half.x()),
                                      std::pair(other, touch_.face_half.y())}) {
       const double rate = along.dot(side);

@@ -36,8 +36,8 @@ struct OutlineTouch {
 /// tooth touches later, and each only when the spindle brings it.
 ///
 /// The target is taken as its tangent plane at the contact: exact on flat sides, from above within
-/// a 360th of the feed per revolution, within (F/n)^2 / 2R on a round one of radius R for the feed
-/// per revolution F/n.
+/// a 360th of the feed per revolution, however narrow the face is, within (F/n)^2 / 2R on a round
+/// one of radius R for the feed per revolution F/n.
 /// @param profiles  of these teeth, of which there is one at least
 /// @return nullopt: none comes there, for all are too short
 std::optional<double> way_to_first_tooth(const std::vector<Tooth>& teeth,
