@@ -44,6 +44,19 @@ TEST(FanucFilesWithoutANumber, AreNotTakenForWhatTheyOnlyName) {
   EXPECT_EQ(library.find({9, {}}), nullptr);
 }
 
+TEST(FanucFilesWithoutANumber, AreSheetsAndTablesWhateverTheyAreCalled) {
+  FilesInMemory files({{"lib/O11.TOML", "[probe]\n"},
+                       {"lib/O11.nc", "#100=1\nM99\n"},
+                       {"lib/12.csv", "axis,target\n"}});
+  source::SourceMap sources(files);
+  ProgramLibrary library(sources);
+  library.add_folder("lib");
+  const fanuc::CompiledProgram* const found = library.find({11, {}});
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->file->name(), "lib/O11.nc");
+  EXPECT_EQ(library.find({12, {}}), nullptr);
+}
+
 TEST(WrittenHeads, AreNumbersBehindOAndColonAndNamesInAngles) {
   const WrittenHeads heads("%\n:0012(X)\no 3 4 5\nO99999999\nO100000000\n");
   EXPECT_TRUE(heads.may_have({12, {}}));

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <string>
 
 #include "interpreter/dialects/fanuc/text/scanner.h"
+#include "machine/base/letters.h"
 
 namespace g31::fanuc {
 namespace {
@@ -33,9 +35,22 @@ int number_from(std::string_view text, std::size_t at) {
   return number <= kMost ? number : 0;
 }
 
+/// Sheets, tables, documents and pictures are called as the program that they belong to.
+constexpr std::string_view kNoPrograms[] = {".toml", ".json", ".jsonl", ".csv", ".html",
+                                            ".svg",  ".png",  ".glb",   ".gltf"};
+
+bool is_named_otherwise(std::string_view name) {
+  const std::string small = in_small_letters(name);
+  return std::ranges::any_of(kNoPrograms,
+                             [&](std::string_view ending) { return small.ends_with(ending); });
+}
+
 }  // namespace
 
 std::optional<int> number_in_file_name(std::string_view name) {
+  if (is_named_otherwise(name)) {
+    return std::nullopt;
+  }
   const std::string_view stem = name.substr(0, name.find('.'));
   const std::size_t skip = !stem.empty() && (stem[0] == 'O' || stem[0] == 'o') ? 1 : 0;
   const std::string_view digits = stem.substr(skip);

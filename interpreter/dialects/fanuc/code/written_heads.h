@@ -9,7 +9,8 @@
 
 namespace g31::fanuc {
 
-/// The program number that a file name says: optional O, digits, optional ending.
+/// The program number that a file name says: optional O, digits, optional ending; none where the
+/// ending is that of a sheet, a table, a document or a picture.
 std::optional<int> number_in_file_name(std::string_view name);
 
 /// Which numbers and names of programs a text may have, so that it need not be read again for the
