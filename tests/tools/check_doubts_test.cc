@@ -64,5 +64,20 @@ TEST(CheckDoubts, AnEndThatEndsNothingIsTold) {
                                       "CASE.MPF:6:3: warning: ENDIF without IF [NC015]"}));
 }
 
+/// Each of them has room by itself; a run would write all of them into its document.
+TEST(CheckMemory, VariablesOfAProgramAreTakenTogether) {
+  TemporaryFolder folder;
+  const auto output = testing::g31({"check", folder.write("CASE.MPF",
+                                                          "DEF STRING[10] FIRST[70000]\n"
+                                                          "DEF REAL NUMBERS[100000]\n"
+                                                          "DEF STRING[10] LAST[70000]\n"
+                                                          "M30\n")});
+  EXPECT_EQ(
+      places(output.out, folder),
+      (std::vector<std::string>{
+          "CASE.MPF:3:1: error: alarm 12560, programmed value exceeds allowed limits: size of "
+          "all variables together: 32 MB at most [NC002]"}));
+}
+
 }  // namespace
 }  // namespace g31::check_doubts_test
