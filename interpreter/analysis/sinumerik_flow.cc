@@ -14,26 +14,33 @@
 #include "interpreter/analysis/sinumerik_accesses.h"
 #include "interpreter/analysis/sinumerik_moves.h"
 #include "interpreter/analysis/sinumerik_ways.h"
+#include "interpreter/source/diagnostic.h"
 
 namespace g31::analysis {
 namespace {
 
+/// What a step of a program makes one doubt.
+void tell(SinumerikWays& ways, std::size_t step, Fault doubt) {
+  ways.blocks[ways.block_of[step]].faults.push_back(std::move(doubt));
+}
+
 void tell_mixed_comparisons(const sinumerik::CompiledProgram& program, SinumerikWays& ways) {
-  for (const std::int32_t step : mixed_comparisons(program)) {
-    const auto place = static_cast<std::size_t>(step);
-    ways.blocks[ways.block_of[place]].faults.push_back(
-        {Fault::Kind::Comparison, 0, program.spans[place],
-         "AND, OR, XOR and NOT bind closer than comparisons",
-         "put each comparison in brackets: (R1 == 0) AND (R2 == 0), NOT (R1 == 3)"});
+  for (const std::int32_t mixed : mixed_comparisons(program)) {
+    const auto step = static_cast<std::size_t>(mixed);
+    tell(ways, step,
+         {Fault::Kind::Comparison, 0, program.spans[step],
+          "AND, OR, XOR and NOT bind closer than comparisons",
+          "put each comparison in brackets: (R1 == 0) AND (R2 == 0), NOT (R1 == 3)"});
   }
 }
 
+/// A run passes over them and tells it.
 void tell_surplus_ends(const sinumerik::CompiledProgram& program, SinumerikWays& ways) {
-  for (std::size_t place = 0; place < program.ops.size(); ++place) {
-    if (program.ops[place].code == sinumerik::OpCode::SurplusEnd) {
-      ways.blocks[ways.block_of[place]].faults.push_back(
-          {Fault::Kind::SurplusEnd, 0, program.spans[place], "ENDIF without IF",
-           "remove it, or write the IF that it ends", std::nullopt});
+  const std::string remedy(source::info(source::DiagnosticId::SurplusEnd).remedy);
+  for (std::size_t step = 0; step < program.ops.size(); ++step) {
+    if (program.ops[step].code == sinumerik::OpCode::SurplusEnd) {
+      tell(ways, step,
+           {Fault::Kind::SurplusEnd, 0, program.spans[step], "ENDIF without IF", remedy});
     }
   }
 }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -172,23 +171,23 @@ class PassingTooth {
       return std::sqrt(std::max(0.0, radius * radius - ahead * ahead));
     };
     const Eigen::Vector2d& p = touch_.p_T_face;
-    const Eigen::Vector2d& half = touch_.face_half;
     const std::array<double, 2> radii = {lowest_mm(), tooth_.radius_mm};
     if (touch_.is_face_round) {
+      const double radius_of_face = touch_.face_half.x();
       const double middle = p.norm();
       const Eigen::Vector2d along = middle > 0.0 ? Eigen::Vector2d(p / middle) : touch_.face_side;
       add(along);
       for (const double radius : radii) {
-        const double power = radius * radius + middle * middle - half.x() * half.x();
+        const double power = radius * radius + middle * middle - radius_of_face * radius_of_face;
         const double ahead = middle > 0.0 ? power / (2.0 * middle) : 0.0;
         add_both(ahead, along, aside_at(radius, ahead), square_to(along));
       }
       return degrees;
     }
-    const Eigen::Vector2d other = square_to(touch_.face_side);
-    for (const auto& [along, to_side, across, to_end] :
-         {std::tuple(touch_.face_side, half.x(), other, half.y()),
-          std::tuple(other, half.y(), touch_.face_side, half.x())}) {
+    const std::array<FaceAxis, 2> axes = face_axes();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const auto& [along, to_side] = axes.at(i);
+      const auto& [across, to_end] = axes.at(1 - i);
       for (const double ahead : {p.dot(along) - to_side, p.dot(along) + to_side}) {
         add(ahead * along);
         add(ahead * along + (p.dot(across) - to_end) * across);
@@ -199,6 +198,14 @@ class PassingTooth {
       }
     }
     return degrees;
+  }
+
+  /// A direction of the face's sides, and how far the face reaches along it to either side.
+  using FaceAxis = std::pair<Eigen::Vector2d, double>;
+
+  [[nodiscard]] std::array<FaceAxis, 2> face_axes() const {
+    return {FaceAxis(touch_.face_side, touch_.face_half.x()),
+            FaceAxis(square_to(touch_.face_side), touch_.face_half.y())};
   }
 
   static Eigen::Vector2d square_to(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
@@ -243,9 +250,7 @@ class PassingTooth {
       return squared < 0.0 ? std::pair(1.0, 0.0)
                            : (clip(ahead - half, ahead + half), std::pair(near, far));
     }
-    const Eigen::Vector2d other = square_to(touch_.face_side);
-    for (const auto& [side, half] : {std::pair(touch_.face_side, touch_.face_half.x()),
-                                     std::pair(other, touch_.face_half.y())}) {
+    for (const auto& [side, half] : face_axes()) {
       const double rate = along.dot(side);
       const double middle = p.dot(side);
       if (rate == 0.0) {

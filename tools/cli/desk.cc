@@ -7,7 +7,6 @@
 #include <span>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "interpreter/runtime/overloaded.h"
 #include "interpreter/source/latin_1.h"
@@ -21,10 +20,8 @@ namespace {
 /// As https://no-color.org asks for it.
 bool wants_colours(const RunOptions& options) {
   const char* const refusal = std::getenv("NO_COLOR");
-  const char* const terminal = std::getenv("TERM");
   const bool is_refused = refusal != nullptr && *refusal != '\0';
-  const bool is_dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
-  return !options.no_colour && !is_refused && !is_dumb && ::isatty(STDERR_FILENO) == 1;
+  return !options.no_colour && !is_refused && takes_control_codes();
 }
 
 std::string_view colour_of(source::Severity severity) {

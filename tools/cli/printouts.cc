@@ -52,12 +52,9 @@ Result<Printer, Refusal> open_line(const RunOptions& options) {
 Result<std::FILE*, Refusal> open_device(const std::string& path) {
   struct stat is = {};
   if (::stat(path.c_str(), &is) == 0 && S_ISFIFO(is.st_mode)) {
-    std::FILE* const pipe = disk::open_pipe(path);
-    return pipe != nullptr
-               ? Result<std::FILE*, Refusal>(pipe)
-               : wrong_printer(path, fmt::format("cannot write: {}", errno == ENXIO
-                                                                         ? disk::nobody_reads()
-                                                                         : disk::words_for(errno)));
+    const auto pipe = disk::open_pipe(path);
+    return pipe ? Result<std::FILE*, Refusal>(pipe.value())
+                : wrong_printer(path, fmt::format("cannot write: {}", pipe.error()));
   }
   // A line that waits for its modem would keep us here for ever without O_NONBLOCK.
   const int fd =

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,18 +24,20 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMostReceived = 16'000'000;
 constexpr InputLimit kLargestPrintout{kMostReceived, "a printout of results is far smaller"};
 
-bool has_all(const std::string& text, const std::vector<plan::Measure>& measures) {
-  const std::size_t whole = text.rfind('\n');  // a number without its end may go on
-  return whole != std::string::npos &&
-         plan::count(plan::judged(measures, text.substr(0, whole)), plan::Verdict::Missing) == 0;
+/// As much of a text as counts: a printer ends each line, and a number without its end may go on.
+std::string_view ended_lines(std::string_view text) {
+  return text.substr(0, text.rfind('\n') + 1);  // npos + 1 is 0
 }
 
-/// A printer ends each line: of one that was cut off a number may lack figures, so it does not
-/// count.
-plan::PrintedResults whole_lines(const std::string& from, const std::string& text) {
-  const std::size_t last_end = text.rfind('\n');
-  const std::size_t whole = last_end == std::string::npos ? 0 : last_end + 1;
-  const std::string rest = source::printable(std::string_view(text).substr(whole));
+bool has_all(const std::string& text, const std::vector<plan::Measure>& measures) {
+  const plan::Judgement judgement = plan::judged(measures, ended_lines(text));
+  return plan::count(judgement, plan::Verdict::Missing) == 0;
+}
+
+/// What has come, with a word about a line that was cut off.
+plan::PrintedResults results_of(const std::string& from, const std::string& text) {
+  const std::string_view lines = ended_lines(text);
+  const std::string rest = source::printable(std::string_view(text).substr(lines.size()));
   if (rest.find_first_not_of(" %?") != std::string::npos) {
     std::fputs(
         fmt::format("{}: warning: the last line has not come to its end, so that it does not "
@@ -43,7 +46,7 @@ plan::PrintedResults whole_lines(const std::string& from, const std::string& tex
             .c_str(),
         stderr);
   }
-  return {from, text.substr(0, whole)};
+  return {from, std::string(lines)};
 }
 
 Result<plan::PrintedResults, session::Refusal> received(
@@ -81,7 +84,7 @@ Result<plan::PrintedResults, session::Refusal> received(
                                             kMostReceived, kLargestPrintout.advice));
     }
   }
-  return whole_lines(options.results, printer::decoded(bytes, line));
+  return results_of(options.results, printer::decoded(bytes, line));
 }
 
 }  // namespace

@@ -13,10 +13,14 @@
 
 namespace g31::cli {
 
-bool shows_progress(bool quiet) {
+bool takes_control_codes() {
   const char* const kind = std::getenv("TERM");
   const bool is_dumb = kind != nullptr && std::string_view(kind) == "dumb";
-  return !quiet && !is_dumb && ::isatty(STDERR_FILENO) == 1;
+  return !is_dumb && ::isatty(STDERR_FILENO) == 1;
+}
+
+bool shows_progress(bool quiet) {
+  return !quiet && takes_control_codes();
 }
 
 std::size_t terminal_width() {

@@ -9,8 +9,10 @@
 
 namespace g31::cli {
 
-/// Whether people see how far work is: standard error is a terminal that can take a line back, and
-/// nobody wants silence.
+/// Whether standard error is a terminal that has colours and can take a line back.
+bool takes_control_codes();
+
+/// Whether people see how far work is: on such a terminal, where nobody wants silence.
 bool shows_progress(bool quiet);
 
 /// How many letters a line of the terminal has that standard error is; any number where nobody

@@ -173,11 +173,13 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   if (path == "-" || (is_there && is_standard_output(is))) {
     return made(stdout, path, "");
   }
+  if (is_there && S_ISFIFO(is.st_mode)) {
+    const auto pipe = open_pipe(path);
+    return pipe ? Result<std::shared_ptr<PartFile>, std::string>(made(pipe.value(), path, ""))
+                : pipe.error();
+  }
   if (is_there && is_device_or_pipe(is)) {
-    std::FILE* const file = S_ISFIFO(is.st_mode) ? open_pipe(path) : std::fopen(path.c_str(), "wb");
-    if (file == nullptr && errno == ENXIO) {
-      return nobody_reads();
-    }
+    std::FILE* const file = std::fopen(path.c_str(), "wb");
     return file != nullptr ? Result<std::shared_ptr<PartFile>, std::string>(made(file, path, ""))
                            : last_error();
   }

@@ -140,27 +140,25 @@ std::FILE* pipe_stream(int descriptor, double stall_s) {
   return file;
 }
 
-std::FILE* open_pipe(const std::string& path) {
+Result<std::FILE*, std::string> open_pipe(const std::string& path) {
   constexpr int kLooksPerSecond = 50;
   for (int looks = 1;; ++looks) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor >= 0) {
-      return pipe_stream(descriptor);
+      std::FILE* const file = pipe_stream(descriptor);
+      return file != nullptr ? Result<std::FILE*, std::string>(file) : words_for(errno);
     }
     if (errno != ENXIO) {
-      return nullptr;
+      return words_for(errno);
     }
     const double waited_s = static_cast<double>(looks) / kLooksPerSecond;
     if (const auto why = why_give_up_output(waited_s, kPipePatienceS)) {
-      errno = why == GivenUp::Stall ? ENXIO : error_of(*why);
-      return nullptr;
+      return why == GivenUp::Stall
+                 ? fmt::format("nobody has read this pipe for {} s", kPipePatienceS)
+                 : words_for(error_of(*why));
     }
     ::usleep(1'000'000 / kLooksPerSecond);
   }
-}
-
-std::string nobody_reads() {
-  return fmt::format("nobody has read this pipe for {} s", kPipePatienceS);
 }
 
 int error_of(GivenUp why) {

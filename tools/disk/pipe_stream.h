@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 
+#include "machine/base/result.h"
 #include "tools/disk/waiting.h"
 
 namespace g31::disk {
@@ -23,11 +24,8 @@ std::FILE* pipe_stream(int descriptor, double stall_s = kPipeStallS);
 inline constexpr double kPipePatienceS = 3.0;
 
 /// The stream into a named pipe, once somebody reads it.
-/// @returns nullptr: errno says why not, ENXIO that nobody does
-std::FILE* open_pipe(const std::string& path);
-
-/// What is told then.
-std::string nobody_reads();
+/// @returns why there is none, in the system's words or in ours
+Result<std::FILE*, std::string> open_pipe(const std::string& path);
 
 /// The errno of a pipe that was given up; nothing else that we write to says one of these.
 int error_of(GivenUp why);

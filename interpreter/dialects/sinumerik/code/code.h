@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
@@ -93,6 +95,36 @@ struct Variable {
   DatumUnit unit = DatumUnit::Plain;
   std::optional<double> fixed;  ///< a datum that is kept: the value that g31 goes on as with
   bool is_by_axis = false;      ///< its last index is an axis: rotary axes count in degrees
+};
+
+/// Where variables have their values: numbers, texts and frames each in a row of their own.
+struct Layout {
+  std::vector<double> numbers;  ///< before the first write
+  std::int32_t texts = 0;
+  std::int32_t frames = 0;
+
+  /// Makes room for one more.  @returns the place of its first element
+  std::int32_t add(Type type, std::int32_t count) {
+    if (type == Type::String) {
+      return std::exchange(texts, texts + count);
+    }
+    if (type == Type::Frame) {
+      return std::exchange(frames, frames + count);
+    }
+    const auto place = static_cast<std::int32_t>(numbers.size());
+    numbers.resize(numbers.size() + static_cast<std::size_t>(count), initial_number(type));
+    return place;
+  }
+
+  /// About as much memory as elements take, texts as long as they may be.
+  static std::size_t bytes_of(Type type, std::int32_t count) {
+    const int each = type == Type::String ? 240 : type == Type::Frame ? 480 : 8;
+    return static_cast<std::size_t>(each) * static_cast<std::size_t>(count);
+  }
+  [[nodiscard]] std::size_t bytes() const {
+    return bytes_of(Type::Real, static_cast<std::int32_t>(numbers.size())) +
+           bytes_of(Type::String, texts) + bytes_of(Type::Frame, frames);
+  }
 };
 
 /// An argument of a call, a function or a list.
@@ -205,9 +237,7 @@ struct CompiledProgram {
   std::vector<BlockNumber> block_numbers;     ///< rising, those of one number by their step
   syntax::NestedSteps bodies;                 ///< of loops and of the branches of IF
   NameMap<std::int32_t> locals;               ///< names of local variables
-  std::vector<double> initial_numbers;        ///< of a new level
-  std::int32_t text_count = 0;
-  std::int32_t frame_count = 0;
+  Layout layout;                              ///< of a new level
   std::vector<Parameter> parameters;
   Argument result;  ///< of a program that is one expression
   bool has_proc = false;
@@ -216,11 +246,6 @@ struct CompiledProgram {
   bool saves_codes = false;         ///< SAVE
   bool hides_blocks = false;        ///< DISPLOF
   bool shows_actual_block = false;  ///< ACTBLOCNO
-
-  [[nodiscard]] ElementCounts element_counts() const {
-    return {initial_numbers.size(), static_cast<std::size_t>(text_count),
-            static_cast<std::size_t>(frame_count)};
-  }
 };
 
 inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {

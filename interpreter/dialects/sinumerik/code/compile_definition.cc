@@ -147,25 +147,25 @@ std::int32_t Definitions::defined_alike(const Variable& variable) {
 }
 
 /// Alarm 12560 where a variable takes all of them together past their memory.
-void Definitions::limit_memory(ElementCounts counts, const Variable& variable) {
-  counts.of(variable.type) += static_cast<std::size_t>(variable.shape.count());
-  if (counts.bytes() > kMostMemory * 1'000'000) {
+void Definitions::limit_memory(const Layout& layout, const Variable& variable) {
+  if (layout.bytes() + Layout::bytes_of(variable.type, variable.shape.count()) >
+      kMostMemory * 1'000'000) {
     fail(AlarmId::ValueOutOfLimits, block(),
          fmt::format("size of all variables together: {} MB at most", kMostMemory));
   }
 }
 
 std::int32_t Definitions::define(const Variable& variable) {
-  if (purpose_ != Purpose::Definitions) {
-    limit_memory(program_.element_counts(), variable);
-    return failed() ? -1 : variables_.define_local(variable);
-  }
-  if (const std::int32_t known = defined_alike(variable); known >= 0) {
+  const bool is_global = purpose_ == Purpose::Definitions;
+  if (const std::int32_t known = is_global ? defined_alike(variable) : -1; known >= 0) {
     return known;
   }
-  limit_memory(defined_->element_counts(), variable);
+  limit_memory(is_global ? defined_->layout() : program_.layout, variable);
   if (failed()) {
     return -1;
+  }
+  if (!is_global) {
+    return variables_.define_local(variable);
   }
   const Variable* const global = defined_->define(variable);
   if (global == nullptr) {

@@ -56,9 +56,7 @@ void Compiler::know_locals_of(const CompiledProgram& home) {
   program_.shows_actual_block = home.shows_actual_block;
   program_.variables = home.variables;
   program_.locals = home.locals;
-  program_.initial_numbers = home.initial_numbers;
-  program_.text_count = home.text_count;
-  program_.frame_count = home.frame_count;
+  program_.layout = home.layout;
   end_ = OpCode::EndText;
   definitions_.expect_letter_names();
   definitions_.begin_program_part();

@@ -72,7 +72,7 @@ class Definitions : private BlockPart {
   Shape dimensions();
   void preset(Parameter& parameter);
   std::int32_t defined_alike(const Variable& variable);
-  void limit_memory(ElementCounts counts, const Variable& variable);
+  void limit_memory(const Layout& layout, const Variable& variable);
   std::int32_t define(const Variable& variable);
   void define_with_value(const Variable& variable);
   [[nodiscard]] bool is_of_user(const std::string& name) const;

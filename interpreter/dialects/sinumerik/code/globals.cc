@@ -34,7 +34,7 @@ Variable row_variable(std::string_view name, Type type, int count) {
 
 /// What differs from axis to axis: their numbers, and that A, B and C turn.
 void Globals::number_axes(std::string_view name, std::int32_t place) {
-  const auto first = numbers_.begin() + place;
+  const auto first = layout_.numbers.begin() + place;
   if (name == "$MC_AXCONF_GEOAX_ASSIGN_TAB") {
     std::iota(first, first + kLinearAxisCount, 1.0);
   } else if (name == "$MC_AXCONF_MACHAX_USED") {
@@ -60,7 +60,7 @@ Globals::Globals() {
     variable.fixed = row.is_fixed ? std::optional(row.preset) : std::nullopt;
     const std::int32_t place = define(variable)->place;
     if (is_number(row.type)) {
-      std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
+      std::fill(layout_.numbers.begin() + place, layout_.numbers.end(), row.preset);
       number_axes(row.name, place);
     }
   }
@@ -92,17 +92,7 @@ const Variable* Globals::define(const Variable& variable) {
   }
   Variable& defined = variables_.emplace_back(variable);
   defined.storage = Storage::Global;
-  if (variable.type == Type::String) {
-    defined.place = text_count_;
-    text_count_ += variable.shape.count();
-  } else if (variable.type == Type::Frame) {
-    defined.place = frame_count_;
-    frame_count_ += variable.shape.count();
-  } else {
-    defined.place = static_cast<std::int32_t>(numbers_.size());
-    numbers_.resize(numbers_.size() + static_cast<std::size_t>(variable.shape.count()),
-                    initial_number(variable.type));
-  }
+  defined.place = layout_.add(variable.type, variable.shape.count());
   return &defined;
 }
 

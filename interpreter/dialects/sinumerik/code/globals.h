@@ -31,13 +31,7 @@ class Globals {
   const Variable* define(const Variable& variable);
 
   [[nodiscard]] std::span<const Variable> variables() const { return variables_; }
-  [[nodiscard]] const std::vector<double>& initial_numbers() const { return numbers_; }
-  [[nodiscard]] std::int32_t text_count() const { return text_count_; }
-  [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
-  [[nodiscard]] ElementCounts element_counts() const {
-    return {numbers_.size(), static_cast<std::size_t>(text_count_),
-            static_cast<std::size_t>(frame_count_)};
-  }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
 
   Macros macros;          ///< of the user's definition files; what is shipped does not see them
   Macros shipped_macros;  ///< of those that come with the control, as its programs see them
@@ -55,9 +49,7 @@ class Globals {
 
   std::vector<Variable> variables_;
   NameMap<std::size_t> by_name_;
-  std::vector<double> numbers_;
-  std::int32_t text_count_ = 0;
-  std::int32_t frame_count_ = 0;
+  Layout layout_;
 };
 
 }  // namespace g31::sinumerik

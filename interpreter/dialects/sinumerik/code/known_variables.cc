@@ -29,19 +29,7 @@ std::int32_t KnownVariables::define_local(Variable variable) {
     fail(AlarmId::DefinedTwice, block(), variable.name);
     return -1;
   }
-  const int count = variable.shape.count();
-  if (variable.type == Type::String) {
-    variable.place = program_.text_count;
-    program_.text_count += count;
-  } else if (variable.type == Type::Frame) {
-    variable.place = program_.frame_count;
-    program_.frame_count += count;
-  } else {
-    variable.place = static_cast<std::int32_t>(program_.initial_numbers.size());
-    program_.initial_numbers.resize(
-        program_.initial_numbers.size() + static_cast<std::size_t>(count),
-        initial_number(variable.type));
-  }
+  variable.place = program_.layout.add(variable.type, variable.shape.count());
   program_.variables.push_back(variable);
   return index;
 }

@@ -112,7 +112,7 @@ Result<machine::SkipMove, Failure> listening_move(const Channel& channel,
   }
   move.further.emplace();
   move.further->input = measuring.further;
-  move.further->comes_second = measuring.in_order;
+  move.further->comes_second = measuring.mode != MeasuringMode::AnyOrder;
   move.further->within_mm = channel.simultaneous_limit().value_or(move.further->within_mm);
   return move;
 }
@@ -188,7 +188,7 @@ Result<bool, Failure> measure_along(Channel& channel, const Block& block,
     return from_fault(outcome.error());
   }
   const bool no_edge = std::holds_alternative<machine::NoEdge>(outcome.value());
-  if (no_edge && !measuring.asks_at_start) {
+  if (no_edge && measuring.mode == MeasuringMode::InOrderUnasked) {
     return failure(AlarmId::NotImplemented, "MEASA, mode 3, with a probe that has switched before");
   }
   if (no_edge && !measuring.by_action) {

@@ -29,7 +29,6 @@ Result<Measuring, Failure> with_second(Measuring first, const BlockWords::AxisMe
     return failure(*std::move(wrong));
   }
   first.further = static_cast<int>(std::abs(axis.second_trigger));
-  first.in_order = measuring_mode(axis.mode) != MeasuringMode::AnyOrder;
   return first;
 }
 
@@ -73,7 +72,7 @@ Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
     return found.error();
   }
   Measuring measuring = found.value();
-  measuring.asks_at_start = measuring_mode(first->mode) != MeasuringMode::InOrderUnasked;
+  measuring.mode = measuring_mode(first->mode);
   return std::optional(measuring);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interpreter/dialects/sinumerik/code/word_limits.h"
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "machine/port/skip_signal.h"
 
@@ -10,10 +11,9 @@ struct Measuring {
   int probe = 1;
   machine::SignalEdge edge = machine::SignalEdge::Rising;
   machine::AfterSignal after = machine::AfterSignal::Stop;
-  bool by_action = false;     ///< DELDTG: nothing is latched
-  int further = 0;            ///< a second probe, 0: none
-  bool in_order = false;      ///< its edge counts behind that of the first one
-  bool asks_at_start = true;  ///< a probe that is as its edge would leave it is an alarm
+  bool by_action = false;  ///< DELDTG: nothing is latched
+  int further = 0;         ///< a second probe, 0: none
+  MeasuringMode mode = MeasuringMode::AnyOrder;
 };
 
 /// Of a block that listens to the probe.

@@ -332,8 +332,7 @@ MaybeFailure Calls::execute_text(const std::string& source) {
   if (!made) {
     return made.error();
   }
-  if (made.value()->initial_numbers.size() != now.numbers.size() ||
-      !made.value()->repeats.empty()) {
+  if (made.value()->layout.numbers.size() != now.numbers.size() || !made.value()->repeats.empty()) {
     return failure(AlarmId::BadArguments, "EXECSTRING: no definitions and no repetitions");
   }
   now.waiting.push_back({now.program, now.step, std::move(now.parts)});

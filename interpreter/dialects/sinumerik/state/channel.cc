@@ -74,10 +74,10 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)),
       carrier_fine_(static_cast<std::size_t>(globals.find("$SC_TOCARR_FINE_CORRECTION")->place)),
       most_carriers_(static_cast<std::size_t>(globals.find("$MN_MM_NUM_TOOL_CARRIER")->place)) {
-  numbers = globals.initial_numbers();
+  numbers = globals.layout().numbers;
   motion_data.take(port.axis_data(), numbers);
-  texts.resize(static_cast<std::size_t>(globals.text_count()));
-  frames.resize(static_cast<std::size_t>(globals.frame_count()));
+  texts.resize(static_cast<std::size_t>(globals.layout().texts));
+  frames.resize(static_cast<std::size_t>(globals.layout().frames));
   settable.resize(kSettableFrames);
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));

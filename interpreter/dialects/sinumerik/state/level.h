@@ -68,9 +68,10 @@ struct WaitingProgram {
 struct Level {
   /// Local variables as DEF and PROC leave them.
   void make_locals() {
-    numbers.assign(program->initial_numbers.begin(), program->initial_numbers.end());
-    texts.assign(static_cast<std::size_t>(program->text_count), std::string());
-    frames.assign(static_cast<std::size_t>(program->frame_count), Frame());
+    const Layout& layout = program->layout;
+    numbers.assign(layout.numbers.begin(), layout.numbers.end());
+    texts.assign(static_cast<std::size_t>(layout.texts), std::string());
+    frames.assign(static_cast<std::size_t>(layout.frames), Frame());
   }
 
   const CompiledProgram* program = nullptr;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -59,21 +58,6 @@ struct Shape {
 
   [[nodiscard]] constexpr int count() const { return size[0] * size[1] * size[2]; }
   friend bool operator==(const Shape&, const Shape&) = default;
-};
-
-/// How many values of each kind variables have together.
-struct ElementCounts {
-  std::size_t numbers = 0;
-  std::size_t texts = 0;
-  std::size_t frames = 0;
-
-  constexpr std::size_t& of(Type type) {
-    return type == Type::String ? texts : type == Type::Frame ? frames : numbers;
-  }
-  /// At least what they take, texts as long as they may be.
-  [[nodiscard]] constexpr std::size_t bytes() const {
-    return 8 * numbers + 240 * texts + 480 * frames;
-  }
 };
 
 }  // namespace g31::sinumerik
