@@ -134,7 +134,7 @@ TEST(Flatness, IsThatOfBruteForce) {
 
 /// Few points anywhere, which are no face: the smallest of several zones.
 TEST(Flatness, OfWhatIsNoFaceIsThatOfBruteForce) {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::of_many(400U); ++seed) {
     Eigen::MatrixX3d p(static_cast<Eigen::Index>(4 + seed % 9), 3);
     const double height = std::pow(10.0, between(-1.5, 0.0, seed, 0)) * 100.0;
     for (Eigen::Index i = 0; i < p.rows(); ++i) {

