@@ -130,13 +130,12 @@ class FanucPrograms final : public ProgramSet {
       key.number %= factor;
       called = library_.find(key);
     }
-    if (called != nullptr) {
+    if (called != nullptr && !key.is_empty()) {
       return call.start ? missing_start(*called, *call.start) : std::nullopt;
     }
     return fault_of(
         key.name.empty() ? fanuc::AlarmId::CalledNotFound : fanuc::AlarmId::CalledNameNotFound,
-        Fault::Kind::Block, call.where,
-        fmt::format("{} is in none of the files and folders", to_text(key)));
+        Fault::Kind::Block, call.where, fanuc::missing_program(key));
   }
 
  private:

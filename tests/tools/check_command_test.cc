@@ -228,6 +228,9 @@ TEST(Check, ConstantsThatDoNotFitOnAFanucAreTold) {
                                         "#[#1]=#[#2]/#3\n"
                                         "#500=#5041+#4001\n"
                                         "G65 P2 L9999\n"
+                                        "#1=TAN[450]\n"
+                                        "#1=BIN[10]+BIN[16]\n"
+                                        "#1=BCD[-1]\n"
                                         "M30\n"
                                         "O2\n"
                                         "M99\n");
@@ -253,7 +256,21 @@ TEST(Check, ConstantsThatDoNotFitOnAFanucAreTold) {
           "part.nc:15:4: error: alarm 3, TOO MANY DIGITS: 9 digits, the control takes 8 here "
           "[NC002]",
           "part.nc:17:19: warning: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC003]",
+          "part.nc:22:4: error: alarm 112, DIVIDED BY ZERO: TAN of 450 [NC002]",
+          "part.nc:23:4: error: alarm 119, ILLEGAL ARGUMENT: BIN of 10 [NC002]",
+          "part.nc:24:4: error: alarm 119, ILLEGAL ARGUMENT: BCD of -1 [NC002]",
       }));
+}
+
+TEST(Check, ACallOfProgram0IsTold) {
+  TemporaryFolder folder;
+  const std::string main =
+      folder.write("part.nc", "O1\nM98 P110000\nM98 P0\nG65 P0\nM30\nO0000\nM99\n");
+  const CheckOutput output = checked_files({main});
+  const std::string what = "error: alarm 78, NUMBER NOT FOUND: 0 is no number of a program [NC005]";
+  EXPECT_EQ(places(output.text, folder),
+            (std::vector<std::string>{"part.nc:2:5: " + what, "part.nc:3:5: " + what,
+                                      "part.nc:4:5: " + what}));
 }
 
 TEST(Check, ShippedProgramsPassWithoutAWord) {

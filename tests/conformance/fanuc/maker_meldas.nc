@@ -27,6 +27,28 @@ M30
 (EXPECT MOVE 1 X20 Z5)
 (EXPECT NO WARNING PRB314)
 
+(CASE MB-336 P of M98 is a program, whatever its digits)
+%
+O1
+M98 P21000
+M30
+O1000
+#500=#500+1
+M99
+%
+(EXPECT ALARM 232 AT 3)
+
+(CASE MB-336 with all of them)
+%
+O1
+M98 P21000 L2
+M30
+O21000
+#500=#500+1
+M99
+%
+(EXPECT #500 = 2)
+
 (CASE MB-278 P of G31 is a mask of signals, parameters or not)
 (SIGNAL X12.5)
 %

@@ -187,6 +187,24 @@ M30
 %
 (EXPECT OUTPUT "   2.50\n")
 
+(CASE MB-245 a zero that operations come to has no sign)
+%
+O1
+#1=0*[-1]
+#2=-#3+0
+#4=5-5
+#5=FIX[-.5]
+#6=ROUND[-.4]
+#7=0/[-2]
+POPEN
+DPRNT[A#1[13]B#2[13]C#5[13]D#6[13]E#7[13]]
+#8=-#4
+DPRNT[F#8[13]]
+PCLOS
+M30
+%
+(EXPECT OUTPUT "A 0.000B 0.000C 0.000D 0.000E 0.000\nF 0.000\n")
+
 (CASE MB-245 what rounds to zero keeps its sign)
 (PARAMETER 6001.1 = 0)
 %

@@ -7,6 +7,7 @@
 
 #include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
+#include "interpreter/runtime/angles.h"
 
 namespace g31::fanuc {
 namespace {
@@ -44,11 +45,51 @@ std::optional<WrongValue> wrong_operands(OpCode op, double x, double y) {
              : std::nullopt;
 }
 
+std::optional<double> to_bcd(double value) {
+  const double whole = std::round(value);
+  if (whole < 0.0 || whole > 99'999'999.0) {
+    return std::nullopt;
+  }
+  auto rest = static_cast<std::uint64_t>(whole);
+  std::uint64_t digits = 0;
+  for (int shift = 0; rest != 0; shift += 4, rest /= 10) {
+    digits |= (rest % 10) << shift;
+  }
+  return static_cast<double>(digits);
+}
+
+std::optional<double> from_bcd(double value) {
+  const double whole = std::round(value);
+  if (whole < 0.0 || whole > 4294967295.0) {
+    return std::nullopt;
+  }
+  std::uint64_t result = 0;
+  std::uint64_t scale = 1;
+  for (auto rest = static_cast<std::uint64_t>(whole); rest != 0; rest >>= 4, scale *= 10) {
+    if ((rest & 15) > 9) {
+      return std::nullopt;
+    }
+    result += (rest & 15) * scale;
+  }
+  return static_cast<double>(result);
+}
+
+bool is_defined_at(FunctionId id, double argument) {
+  return id == FunctionId::SQRT                             ? argument >= 0.0
+         : id == FunctionId::LN                             ? argument > 0.0
+         : id == FunctionId::ASIN || id == FunctionId::ACOS ? std::abs(argument) <= 1.0
+         : id == FunctionId::TAN                            ? runtime::cosine_deg(argument) != 0.0
+         : id == FunctionId::BIN                            ? from_bcd(argument).has_value()
+         : id == FunctionId::BCD                            ? to_bcd(argument).has_value()
+                                                            : true;
+}
+
 WrongValue undefined_at(FunctionId id, double argument) {
-  return id == FunctionId::ASIN || id == FunctionId::ACOS
-             ? WrongValue{AlarmId::ArcusArgument, fmt::format("the argument is {}", argument)}
-             : WrongValue{AlarmId::IllegalArgument,
-                          fmt::format("{} of {}", info(id).name, argument)};
+  if (id == FunctionId::ASIN || id == FunctionId::ACOS) {
+    return {AlarmId::ArcusArgument, fmt::format("the argument is {}", argument)};
+  }
+  const AlarmId alarm = id == FunctionId::TAN ? AlarmId::DivisionByZero : AlarmId::IllegalArgument;
+  return {alarm, fmt::format("{} of {}", info(id).name, argument)};
 }
 
 bool has_operation(const Op& op, FunctionLevel level) {

@@ -40,13 +40,12 @@ double whole_operand(OpCode op, double operand, LogicOperands rule);
 /// nullopt: AND, OR, XOR or MOD of these has a value.  @param x, y  whole
 std::optional<WrongValue> wrong_operands(OpCode op, double x, double y);
 
+/// 16 -> 0x16: the BCD digits of an integer, and back; nullopt for what has none.
+std::optional<double> to_bcd(double value);
+std::optional<double> from_bcd(double value);
+
 /// Whether a function has a value at an argument, as far as that depends on the argument alone.
-inline bool is_defined_at(FunctionId id, double argument) {
-  return id == FunctionId::SQRT                             ? argument >= 0.0
-         : id == FunctionId::LN                             ? argument > 0.0
-         : id == FunctionId::ASIN || id == FunctionId::ACOS ? std::abs(argument) <= 1.0
-                                                            : true;
-}
+bool is_defined_at(FunctionId id, double argument);
 /// Of one that has none there.
 WrongValue undefined_at(FunctionId id, double argument);
 

@@ -8,14 +8,6 @@
 #include "interpreter/dialects/fanuc/execute/codes.h"
 
 namespace g31::fanuc {
-namespace {
-
-std::string is_in_none(const ProgramKey& key) {
-  return fmt::format("{} is in none of the files and folders", to_text(key));
-}
-
-}  // namespace
-
 const CompiledProgram* CalledPrograms::find(const ProgramKey& key) {
   const CompiledProgram* const found = library_.find(key);
   take_reports();
@@ -28,19 +20,16 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWo
     const ProgramKey key = key_between_angles(caller.file->text(), p.span);
     const CompiledProgram* const named = find(key);
     return named != nullptr ? Result<const CompiledProgram*, Failure>(named)
-                            : at_word(AlarmId::CalledNameNotFound, p, is_in_none(key));
+                            : at_word(AlarmId::CalledNameNotFound, p, missing_program(key));
   }
   const auto number = integer_of(p);
   if (!number) {
     return number.error();
   }
-  if (number.value() == 0) {
-    return at_word(AlarmId::CalledNotFound, p, "0 is no number of a program");
-  }
   const ProgramKey key{number.value(), {}};
-  const CompiledProgram* const program = find(key);
+  const CompiledProgram* const program = key.is_empty() ? nullptr : find(key);
   if (program == nullptr) {
-    return at_word(AlarmId::CalledNotFound, p, is_in_none(key));
+    return at_word(AlarmId::CalledNotFound, p, missing_program(key));
   }
   return program;
 }

@@ -49,11 +49,12 @@ bool is_arithmetic(OpCode code) {
          code == OpCode::Divide;
 }
 
+/// Of numbers; none of them is a negative zero.
 double arithmetic(OpCode code, double a, double b) {
   return code == OpCode::Add        ? a + b
          : code == OpCode::Subtract ? a - b
-         : code == OpCode::Multiply ? a * b
-                                    : a / b;
+         : code == OpCode::Multiply ? a * b + 0.0
+                                    : a / b + 0.0;
 }
 
 /// Of numbers.
@@ -75,36 +76,6 @@ bool compare(OpCode code, Cell a, Cell b) {
                : compare(code, a.or_zero(), b.or_zero());
   }
   return compare(code, a.raw(), b.raw());
-}
-
-/// 16 -> 0x16: the BCD digits of an integer, or nullopt for what has none.
-std::optional<double> to_bcd(double value) {
-  const double whole = std::round(value);
-  if (whole < 0.0 || whole > 99'999'999.0) {
-    return std::nullopt;
-  }
-  auto rest = static_cast<std::uint64_t>(whole);
-  std::uint64_t digits = 0;
-  for (int shift = 0; rest != 0; shift += 4, rest /= 10) {
-    digits |= (rest % 10) << shift;
-  }
-  return static_cast<double>(digits);
-}
-
-std::optional<double> from_bcd(double value) {
-  const double whole = std::round(value);
-  if (whole < 0.0 || whole > 4294967295.0) {
-    return std::nullopt;
-  }
-  std::uint64_t result = 0;
-  std::uint64_t scale = 1;
-  for (auto rest = static_cast<std::uint64_t>(whole); rest != 0; rest >>= 4, scale *= 10) {
-    if ((rest & 15) > 9) {
-      return std::nullopt;
-    }
-    result += (rest & 15) * scale;
-  }
-  return static_cast<double>(result);
 }
 
 }  // namespace
@@ -222,7 +193,7 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
   }
   switch (op.code) {
     case OpCode::Negate:
-      return a.is_vacant() ? Cell() : Cell(-a.raw());
+      return a.is_vacant() ? Cell() : Cell(0.0 - a.raw());
     case OpCode::Read:
       return read(variable_number(a.or_zero()));
     case OpCode::Call:
@@ -313,11 +284,7 @@ Cell Evaluator::trigonometric(FunctionId id, double argument) {
   double result =
       id == FunctionId::COS ? runtime::cosine_deg(argument) : runtime::sine_deg(argument);
   if (id == FunctionId::TAN) {
-    const double cosine = runtime::cosine_deg(argument);
-    if (cosine == 0.0) {
-      return fail(AlarmId::DivisionByZero, fmt::format("TAN[{}]", argument));
-    }
-    result /= cosine;
+    result /= runtime::cosine_deg(argument);
   }
   return Cell(rules_.clear_small_sines && std::abs(result) <= kSmallSine ? 0.0 : result);
 }
@@ -327,12 +294,14 @@ Cell Evaluator::rounding_function(FunctionId id, double argument, double round_t
     // The guard absorbs the binary error of decimal fractions: 1.2345/0.001 counts as 1234.5.
     const double scaled = argument / round_to;
     const double guard = std::abs(scaled) * 4.0 * std::numeric_limits<double>::epsilon();
-    return Cell(round_to == 1.0 ? std::round(argument)
-                                : std::round(scaled + std::copysign(guard, scaled)) * round_to);
+    return Cell(round_to == 1.0
+                    ? std::round(argument) + 0.0
+                    : std::round(scaled + std::copysign(guard, scaled)) * round_to + 0.0);
   }
   const double whole = std::trunc(argument);
   const bool is_whole = whole == argument;
-  return Cell(id == FunctionId::FIX || is_whole ? whole : whole + std::copysign(1.0, argument));
+  return Cell(id == FunctionId::FIX || is_whole ? whole + 0.0
+                                                : whole + std::copysign(1.0, argument));
 }
 
 Cell Evaluator::function(const Op& op, double argument, double round_to) {
@@ -366,12 +335,8 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
     case FunctionId::EXP:
       return in_range(std::exp(argument));
     case FunctionId::BIN:
-    case FunctionId::BCD: {
-      const auto result = id == FunctionId::BIN ? from_bcd(argument) : to_bcd(argument);
-      return result
-                 ? Cell(*result)
-                 : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
-    }
+    case FunctionId::BCD:
+      return Cell(*(id == FunctionId::BIN ? from_bcd(argument) : to_bcd(argument)));
     case FunctionId::ADP:
       return Cell(argument);
     case FunctionId::PRM:

@@ -122,6 +122,7 @@ constexpr Profile meldas() {
   profile.calls = {4, 8, 8};
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
+  profile.count_factor = 0;  // M98 P H L: P has the program, L says how often (MB-336)
   profile.cycle_repeats = 'L';
   // M700V programming manual, fixed cycles G74 and G84, G76 and G87
   profile.has_synchronous_taps = true;

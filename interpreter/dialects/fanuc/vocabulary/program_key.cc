@@ -13,6 +13,12 @@ std::string to_text(const ProgramKey& key) {
                              : std::string();
 }
 
+std::string missing_program(const ProgramKey& key) {
+  return key.name.empty() && key.number <= 0
+             ? fmt::format("{} is no number of a program", key.number)
+             : fmt::format("{} is in none of the files and folders", to_text(key));
+}
+
 ProgramKey key_of_name(std::string_view name) {
   constexpr std::size_t kMostDigits = 8;
   const std::string_view digits = name.starts_with('O') ? name.substr(1) : "";

@@ -19,6 +19,8 @@ struct ProgramKey {
 
 /// `O9010`, `<BORE>`; empty for an empty key.
 std::string to_text(const ProgramKey& key);
+/// Why a program that is called is not found.
+std::string missing_program(const ProgramKey& key);
 
 /// @param name  what stands between < and >; O and a number are a number there, too
 ProgramKey key_of_name(std::string_view name);
