@@ -62,8 +62,7 @@ TEST(AcceptanceBench, MeasuresNothingWithoutAPart) {
   const char* const kJobs[][2] = {
       {"parts/library/acceptance/repeatability.nc", "parts/library/acceptance/bench.toml"},
       {"parts/library/acceptance/ring_2d.nc", "parts/library/acceptance/bench.toml"},
-      {"parts/library/acceptance/sphere_3d.nc", "parts/library/acceptance/bench.toml"},
-      {"macros/fanuc/O6001.nc", "parts/library/ring_gauge/ring.toml"}};
+      {"parts/library/acceptance/sphere_3d.nc", "parts/library/acceptance/bench.toml"}};
   testing::TemporaryFolder folder;
   const std::string elsewhere =
       folder.write("elsewhere.toml", "[[part]]\nshape = \"block\"\nat = [9000.0, 0.0, 0.0]\n");

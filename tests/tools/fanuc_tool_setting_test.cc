@@ -207,6 +207,13 @@ TEST(FanucToolSetting, WhatGoesWrongWritesNothing) {
       {"inches", kPlate, "G20\nT90 M6\nG65 P9851 X200. Y-100. Z-400. K105. D10. S25.\n", 3170},
       {"a radius too far off", kPlate, calibrate + "T1 M6\nG65 P9853 H1 D1 Q.1\n", 3173},
       {"length unknown", kPlate, calibrate + "T1 M6\n#11001=0\nG65 P9855 H1\n", 3175},
+      {"length unknown", kPlate, calibrate + "T1 M6\n#11001=0\nG65 P9853 H1 D1\n", 3175},
+      {"half an offset number", kPlate, calibrate + "T1 M6\nG65 P9852 H1.5\n", 3182},
+      {"half an offset number", kPlate, calibrate + "T1 M6\nG65 P9853 H1 D1.5\n", 3182},
+      {"a rotation", kPlate, calibrate + "T1 M6\nG68 X0 Y0 R90.\nG65 P9854 H1 D1\n", 3178},
+      {"a mirror image", kPlate, calibrate + "T1 M6\nG51.1 X0\nG65 P9853 H1 D1\n", 3178},
+      {"scaling", kPlate, calibrate + "T1 M6\nG51 X0 Y0 Z0 P2000\nG65 P9852 H1\n", 3178},
+      {"polar coordinates", kPlate, calibrate + "T1 M6\nG16\nG65 P9853 H1 D1\n", 3178},
   };
   for (const Case& one : cases) {
     SCOPED_TRACE(one.name);
@@ -218,6 +225,35 @@ TEST(FanucToolSetting, WhatGoesWrongWritesNothing) {
     }
     expect_value(shop, "#13001", 8.2 / unit);
   }
+}
+
+/// Its side stands over the plate where rapid ends: 12.5 + 2 + 5 mm beside the middle are less than
+/// 12.5 + 8; beside the beam 2.5 + 5 mm are less than 8.
+TEST(FanucToolSetting, AToolThatIsWiderThanBelievedStopsBeforeItsTouch) {
+  const Shop plate(kPlate, std::string(kCalibrate) + "T1 M6\n#13001=2.\nG65 P9853 H1 D1\n");
+  EXPECT_EQ(plate.alarm(), 3177) << plate.errors();
+  expect_value(plate, "#13001", 2.0, 0.0);
+  const Shop beam(kLaser,
+                  "T90 M6\nG65 P9856 X200. Y-100. Z-399. K105. D10.\n"
+                  "T1 M6\n#13001=2.5\nG65 P9857 H1 D1\n");
+  EXPECT_EQ(beam.alarm(), 3177) << beam.errors();
+  expect_value(beam, "#13001", 2.5, 0.0);
+  // One that is believed 3 mm too narrow is measured.
+  expect_value(Shop(kPlate, std::string(kCalibrate) + "T1 M6\n#13001=5.\nG65 P9853 H1 D1\n"),
+               "#13001", 8.0);
+}
+
+TEST(FanucToolSetting, FeedIsPerMinuteAndModalCodesAreTheCallersAgain) {
+  const Shop shop(kPlate, std::string(kCalibrate) +
+                              "T1 M6\nS500 M3\nG95 G01 F.3\nG65 P9852 H1\nG65 P9853 H1 D1\n"
+                              "#548=#4001\n#550=#4005\n#552=#4109\n#553=#4003\n");
+  EXPECT_EQ(shop.alarm(), 0) << shop.errors();
+  expect_value(shop, "#11001", 100.3);
+  expect_value(shop, "#13001", 8.0);
+  expect_value(shop, "#548", 1.0, 0.0);
+  expect_value(shop, "#550", 95.0, 0.0);
+  expect_value(shop, "#552", 0.3, 0.0);
+  expect_value(shop, "#553", 90.0, 0.0);
 }
 
 TEST(FanucToolSetting, ALaserMeasuresStandingAndTurningTools) {

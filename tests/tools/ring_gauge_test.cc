@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/original_listings.h"
@@ -187,6 +188,7 @@ TEST(RingGauge, MissingAndImpossibleArgumentsAreTheMacrosAlarms) {
       {"A missing", "G100 U50. R5. Z-7.5", 3160, "DATA EMPTY"},
       {"R missing", "G100 U50. Z-7.5 A1.", 3160, "DATA EMPTY"},
       {"A above 9", "G100 U50. R5. Z-7.5 A10.", 3182, "DATA OVER"},
+      {"A between two rows", "G100 U50. R5. Z-7.5 A1.5", 3182, "DATA OVER"},
   };
   TemporaryFolder folder;
   for (const Case& c : kCases) {
@@ -203,6 +205,86 @@ TEST(RingGauge, MissingAndImpossibleArgumentsAreTheMacrosAlarms) {
     EXPECT_NE(output.errors.find("O9010.nc:"), std::string::npos);
     EXPECT_NE(output.errors.find("called from O0007"), std::string::npos);
   }
+}
+
+/// What a touch of the ring stores, and how it ends.
+RunOutput touched(const std::string& blocks) {
+  TemporaryFolder folder;
+  const auto program =
+      folder.write("touch.nc", "O7\nG59 G90 G00 X0 Y0\nG43 Z20. H99\n" + blocks + "M30\n");
+  return run_program(on_ring(program));
+}
+
+TEST(RingGauge, ATouchThatDoesNotComeStoresNothing) {
+  struct Case {
+    const char* name;
+    const char* blocks;
+    int alarm;
+  };
+  const Case kCases[] = {
+      {"nothing there", "X60.\nG100 U50. R5. Z-7.5 A1.\n", 3166},
+      {"the way ends before the wall", "G100 U9. R5. Z-7.5 A1.\n", 3166},
+      {"U and V polar", "G16\nG100 U50. R5. Z-7.5 A1.\n", 3168},
+      {"the rim of the bore in the way down", "X20.5\nG100 U50. R5. Z-7.5 A1.\n", 3167},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    const RunOutput output = touched(c.blocks);
+    EXPECT_EQ(output.exit_code, 3) << output.errors;
+    EXPECT_EQ(output.document.at("alarm").at("number"), c.alarm);
+    EXPECT_TRUE(output.document.at("variables").at("#160").is_null());
+  }
+}
+
+TEST(RingGauge, WithoutTheRingNothingIsCalibrated) {
+  TemporaryFolder folder;
+  const std::string elsewhere =
+      folder.write("elsewhere.toml", "[[part]]\nshape = \"block\"\nat = [9000.0, 0.0, 0.0]\n");
+  for (const auto& [program, variable] :
+       {std::pair("macros/fanuc/O6001.nc", "#517"), std::pair("macros/fanuc/O6002.nc", "#519")}) {
+    SCOPED_TRACE(program);
+    cli::RunOptions options = on_ring(program, {elsewhere});
+    options.prints = {variable};
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, 3) << output.errors;
+    EXPECT_EQ(output.document.at("alarm").at("number"), 3166);
+    EXPECT_EQ(output.document.at("variables").at(variable), 0.0);
+  }
+}
+
+TEST(RingGauge, ASteepMoveGoesBackAlongItself) {
+  // 3 mm of 50, not 300: the face is at Z0, the ball's centre 3 mm over it.
+  const RunOutput output = touched("X30.\nG100 U.5 W-50. R10. Z5. A1.\n");
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(variable(output, "#190"), 120.0 - 3.0 + 3.0 * (1.0 - std::cos(std::atan(0.01))),
+              1e-6);
+}
+
+TEST(RingGauge, FeedIsPerMinuteAndModalCodesAreTheCallersAgain) {
+  const RunOutput output =
+      touched("S500\nG95 G01 F.3\nG100 U50. R5. Z-7.5 A1.\n#517=#4001\n#518=#4005\n#161=#4109\n");
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(variable(output, "#160"), 19.998, 1e-9);
+  EXPECT_EQ(variable(output, "#517"), 1.0);
+  EXPECT_EQ(variable(output, "#518"), 95.0);
+  EXPECT_EQ(variable(output, "#161"), 0.3);
+}
+
+TEST(RingGauge, ARingThatIsNotCentredCalibratesNothing) {
+  TemporaryFolder folder;
+  const auto shifted = [&](double x) {
+    return run_program(
+        on_ring("macros/fanuc/O6001.nc",
+                {folder.write("at.toml", fmt::format("[work_offsets.G59]\nX = {}\n", x))}));
+  };
+  const RunOutput output = shifted(250.25);
+  EXPECT_EQ(output.exit_code, 3) << output.errors;
+  EXPECT_EQ(output.document.at("alarm").at("number"), 3169);
+  EXPECT_EQ(variable(output, "#518"), 0.0);
+  // Beside the middle by d the chord along Y is shorter by d*d/(2*R), R that of the ball's centre.
+  const RunOutput near = shifted(250.1);
+  ASSERT_EQ(near.exit_code, 0) << near.errors;
+  EXPECT_NEAR(variable(near, "#518"), 16.998 - std::sqrt(16.998 * 16.998 - 0.1 * 0.1), 5e-5);
 }
 
 TEST(RingGauge, ASkipMoveIntoTheAirIsAWarning) {
