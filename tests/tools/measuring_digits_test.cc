@@ -54,6 +54,9 @@ TEST(MeasuringDigits, ThePlaneOfTurningCycles) {
     // The surface is said to be 25.025 away: the trigger of the ball at 28.02 is 2.995.
     outside(fmt::format("CYCLE973(1001,1,,50.05,{},1,3,5,,,,{})", row.x, row.digit), kProbeToMinusX,
             {{fmt::format("$SNS_MEA_WP_TRIG_MINUS_DIR_AX{}[0]", row.x), -2.995}});
+    // Along the probe, whatever S_MA says.
+    outside(fmt::format("CYCLE973(1,1,,50.05,{},0,3,5,,,,{})", row.z, row.digit), kProbeToMinusX,
+            {{fmt::format("$SNS_MEA_WP_TRIG_MINUS_DIR_AX{}[0]", row.x), -2.995}});
   }
 }
 

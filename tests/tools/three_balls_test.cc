@@ -261,6 +261,13 @@ TEST(ThreeBalls, ThatDoNotFitTheirTriangleCorrectNothing) {
   const MeasuringRun done = run_with("");
   EXPECT_EQ(done.alarm(), 0) << done.output.errors;
   EXPECT_NE(done.at("$P_UIFR[1,X,FI]"), 0.0);
+  // 1.2 mm in a program that counts in inches, too.
+  stretched[1].x() += 3.4;
+  const MeasuringRun inches =
+      run_measuring("G700\nCYCLE997(1010119,1,1,20/25.4,8/25.4,1,,,0,0,0,100/25.4,0,0,0,80/25.4,0)",
+                    {balls(Isometry3d(Eigen::Translation3d(kG54)), stretched), kCalibrated}, names);
+  EXPECT_EQ(inches.alarm(), 61403) << inches.output.errors;
+  EXPECT_EQ(inches.at("$P_UIFR[1,X,FI]"), 0.0);
 }
 
 TEST(ThreeBalls, RefuseBeforeAnythingMoves) {

@@ -233,6 +233,8 @@ struct AlarmCase {
 constexpr AlarmCase kAlarms[] = {
     {"a kind that is none", "", "CYCLE982(3,0,1,1,2,0,5,2)", 61307},
     {"the rear edge of a side mill", "", "CYCLE982(3002,0,1,1,2,0,5,2)", 61307},
+    {"a turning tool in G17", "G17\n", "CYCLE982(1,0,1,1,2,0,5,2)", 61307},
+    {"a turning tool in G19", "", "CYCLE982(2,0,1,0,0,0,5,2,,,,,,,,,3)", 61307},
     {"the radius of a turning tool", "", "CYCLE982(1001,0,1,1,2,0,5,2)", 61307},
     {"incremental, all", "", "CYCLE982(100002,0,1,1,2,0,5,2)", 61307},
     {"no path", "", "CYCLE982(1,0,1,1,2,0,0,2)", 61308},

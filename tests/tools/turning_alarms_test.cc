@@ -97,6 +97,8 @@ TEST(TurningAlarms, WhatTheCallSaysWrong) {
       {"two active tools of the name",
        "$TC_TP1[4]=2 $TC_TP8[2]=131 $TC_TP8[4]=131\n" + corrected("1", "ROUGHER", "0"), 61344,
        "[tools.4]\nname = \"ROUGHER\"\n"},
+      {"a groove in G17", kAtShaft + "G17\nCYCLE973(3,1,1,,,,3,5)", 61307},
+      {"a groove in G19", kAtShaft + "CYCLE973(2,1,1,,,,3,5,,,,3)", 61307},
       {"groove 4", kAtShaft + "CYCLE973(3,1,4,,,,3,5)", 61333},
       {"a groove without data", kAtShaft + "CYCLE973(3,1,1,,,,3,5)", 61333},
   });

@@ -81,6 +81,44 @@ TEST(TurningCycle, ResultsAreThoseOfTheMeasuredAxis) {
       kProbeToMinusZ);
 }
 
+/// SD42940 = 18: the lengths of tools stay those of G18.
+TEST(TurningCycle, InOtherPlanesTheMeasuredAxisIsCorrected) {
+  const std::string as_g18 =
+      "[machine_data]\n\"$SC_TOOL_LENGTH_CONST\" = 18\n"
+      "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX3[0]\" = -3.0\n"
+      "\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX3[0]\" = 3.0\n";
+  expect_each(std::vector<Case>{
+      {"G19, X, offset",
+       kAtShaft + "G19\nCYCLE974(102,1,,1,50,3,3,5)",
+       shaft() + as_g18,
+       {{"$P_UIFR[1,X,FI]", 0.02}, {"$P_UIFR[1,Y,FI]", 0.0}, {"$P_UIFR[1,Z,FI]", 0.0}}},
+      {"G19, X, length",
+       kAtShaft + "G19\nCYCLE974(202,,1,1,50,3,3,5,,1,\"ROUGHER\")",
+       shaft() + as_g18,
+       {{"$TC_DP12[2,1]", -0.02}, {"$TC_DP13[2,1]", 0.0}, {"$TC_DP14[2,1]", 0.0}}},
+      {"G17, Z, offset",
+       kAtFace + "G17\nCYCLE974(100,1,,1,-0.03,3,3,5)",
+       shaft() + as_g18,
+       {{"$P_UIFR[1,Z,FI]", 0.03}, {"$P_UIFR[1,X,FI]", 0.0}, {"$P_UIFR[1,Y,FI]", 0.0}}},
+      {"G17, Z, length",
+       kAtFace + "G17\nCYCLE974(200,,1,1,-0.03,3,3,5,,1,\"ROUGHER\")",
+       shaft() + as_g18,
+       {{"$TC_DP12[2,1]", 0.0}, {"$TC_DP13[2,1]", -0.03}, {"$TC_DP14[2,1]", 0.0}}},
+  });
+  expect_each(
+      std::vector<Case>{
+          {"G19, two points of X, offset",
+           kAtShaft + "G19\nCYCLE994(2102,1,,1,50,3,20,30,3,5)",
+           shaft(50.04, 0.05) + as_g18,
+           {{"$P_UIFR[1,X,FI]", 0.05}, {"$P_UIFR[1,Y,FI]", 0.0}, {"$P_UIFR[1,Z,FI]", 0.0}}},
+          {"G19, two points of X, length",
+           kAtShaft + "G19\nCYCLE994(2202,,1,1,50,3,20,30,3,5,1,\"ROUGHER\")",
+           shaft() + as_g18,
+           {{"$TC_DP12[2,1]", -0.02}, {"$TC_DP13[2,1]", 0.0}, {"$TC_DP14[2,1]", 0.0}}},
+      },
+      kProbeToMinusZ);
+}
+
 std::string call(const char* variant, const char* target, const char* name = "ROUGHER",
                  const char* more = "") {
   return fmt::format("CYCLE974({},,{},1,50,2,3,5,,1,\"{}\"{})", variant, target, name, more);
