@@ -130,7 +130,7 @@ class FanucPrograms final : public ProgramSet {
       key.number %= factor;
       called = library_.find(key);
     }
-    if (called != nullptr && !key.is_empty()) {
+    if (called != nullptr) {
       return call.start ? missing_start(*called, *call.start) : std::nullopt;
     }
     return fault_of(

@@ -379,6 +379,9 @@ const CompiledProgram* ProgramLibrary::find_in_further_files(const ProgramKey& k
 }
 
 const CompiledProgram* ProgramLibrary::find(const ProgramKey& key) {
+  if (key.is_empty()) {
+    return nullptr;  // O0000 may begin a text, and nothing can call it
+  }
   const auto known = known_.find(key);
   if (known != known_.end()) {
     return known->second;

@@ -27,7 +27,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWo
     return number.error();
   }
   const ProgramKey key{number.value(), {}};
-  const CompiledProgram* const program = key.is_empty() ? nullptr : find(key);
+  const CompiledProgram* const program = find(key);
   if (program == nullptr) {
     return at_word(AlarmId::CalledNotFound, p, missing_program(key));
   }
