@@ -47,7 +47,7 @@ std::string list_of_rules() {
   return text;
 }
 
-constexpr std::string_view kSchema = "g31.check/1";
+constexpr std::string_view kCheckSchema = "g31.check/1";
 
 /// What the command line says that is wrong, but for the place of the document; nullopt: nothing.
 std::optional<session::Refusal> why_not(const CheckOptions& options) {
@@ -235,7 +235,7 @@ ExitCode check_command(const CheckOptions& options) {
   const std::vector<OutputPlace> outputs = check_outputs(options);
   InputLists read = {options.files, options.setups, {options.baseline}};
   const auto refused = [&](const session::Refusal& wrong) {
-    return refuse(wrong, sound_place("--json", outputs, read), kSchema);
+    return refuse(wrong, sound_place("--json", outputs, read), kCheckSchema);
   };
   if (const auto wrong = wrong_outputs(outputs, read)) {
     return refused(*wrong);

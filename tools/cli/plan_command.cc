@@ -137,7 +137,7 @@ std::string command_of(const PlanOptions& options) {
   return command.line();
 }
 
-ExitCode outcome_of(const plan::PlannedPart& planned) {
+ExitCode code_of_plan(const plan::PlannedPart& planned) {
   return planned.is_whole() ? ExitCode::Completed : ExitCode::Findings;
 }
 
@@ -173,7 +173,7 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
     for (page::Input& input : report.inputs) {
       input.file = fs::path(input.file).filename().string();  // where it was run says nothing
     }
-    page::add_plan(planned, {command_of(options), static_cast<int>(outcome_of(planned))}, report);
+    page::add_plan(planned, {command_of(options), static_cast<int>(code_of_plan(planned))}, report);
   };
   run_command(run);
   progress.end();
@@ -337,7 +337,7 @@ ExitCode plan_command(const PlanOptions& options) {
   if (const auto wrong = write_result(options.json, for_people, [&] { return document; })) {
     return refuse(*wrong);
   }
-  return outcome_of(planned.value());
+  return code_of_plan(planned.value());
 }
 
 }  // namespace g31::cli

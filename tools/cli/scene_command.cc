@@ -34,7 +34,7 @@
 namespace g31::cli {
 namespace {
 
-constexpr std::string_view kSchema = "g31.scene/1";
+constexpr std::string_view kSceneSchema = "g31.scene/1";
 
 /// What the end of the file's name says; empty: nothing that g31 writes.
 std::string_view form_of(std::string_view path) {
@@ -122,7 +122,7 @@ std::optional<session::Refusal> tell(const SceneOptions& options, const runtime:
     return std::nullopt;
   }
   auto unwritten = why_not_replaced("--json", json);
-  return unwritten ? unwritten : write_out(json, document_of(outcome, code, kSchema, sources));
+  return unwritten ? unwritten : write_out(json, document_of(outcome, code, kSceneSchema, sources));
 }
 
 /// A program that has run for a scene.
@@ -219,7 +219,7 @@ ExitCode scene_command(const SceneOptions& options) {
   const std::vector<OutputPlace> outputs = scene_outputs(options);
   InputLists read = {options.run.programs, options.run.setups};
   const auto refused = [&](const session::Refusal& wrong) {
-    return refuse(wrong, sound_place("--json", outputs, read), kSchema);
+    return refuse(wrong, sound_place("--json", outputs, read), kSceneSchema);
   };
   if (const auto wrong = wrong_outputs(outputs, read)) {
     return refused(*wrong);

@@ -11,7 +11,7 @@ namespace g31::view {
 namespace {
 
 /// How long a client may take nothing of the answer.
-constexpr std::chrono::seconds kPatience(2);
+constexpr std::chrono::seconds kSendPatience(2);
 
 }  // namespace
 
@@ -38,7 +38,7 @@ bool Connection::is_readable() const {
 bool Connection::is_writable() const {
   char next = 0;
   const bool has_hung_up = ::recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
-  return !has_hung_up && waits_for(POLLOUT, Clock::now() + kPatience);
+  return !has_hung_up && waits_for(POLLOUT, Clock::now() + kSendPatience);
 }
 
 ssize_t Connection::read(char* bytes, std::size_t size) {

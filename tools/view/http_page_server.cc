@@ -29,7 +29,7 @@ constexpr const char* kMethod = "GET";
 constexpr int kWrongMethod = 405;
 constexpr int kMostListeners = 10;  // each keeps a thread for as long as it listens
 constexpr std::size_t kMostPayload = 1024;
-constexpr auto kPatience = std::chrono::seconds(2);
+constexpr auto kNewsPatience = std::chrono::seconds(2);
 constexpr int kMostWaiting = 256;  // connections that are not accepted yet
 
 /// 128 bits from the system, as hexadecimal digits; nullopt: it has none.
@@ -227,7 +227,7 @@ void HttpPageServer::work() {
 
 HttpPageServer::State HttpPageServer::next_state(const State& last) {
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, kPatience, [&] { return ends_ || state_ != last; });
+  changed_.wait_for(lock, kNewsPatience, [&] { return ends_ || state_ != last; });
   return state_;
 }
 

@@ -6,22 +6,22 @@
 namespace g31::sinumerik {
 namespace {
 
-using Point = Eigen::Vector2d;
-
 /// Height over base of a triangle that counts as a line.
 constexpr double kFlat = 1e-9;
 
-std::optional<PlaneCircle> through_three(const Point& a, const Point& b, const Point& c) {
-  const Point to_b = b - a;
-  const Point to_c = c - a;
+std::optional<PlaneCircle> through_three(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                         const Eigen::Vector2d& c) {
+  const Eigen::Vector2d to_b = b - a;
+  const Eigen::Vector2d to_c = c - a;
   const double twice_area = to_b.x() * to_c.y() - to_b.y() * to_c.x();
   const double base = std::max({to_b.squaredNorm(), to_c.squaredNorm(), (c - b).squaredNorm()});
   if (std::abs(twice_area) <= kFlat * base) {
     return std::nullopt;
   }
-  const Point out = Point(to_c.y() * to_b.squaredNorm() - to_b.y() * to_c.squaredNorm(),
-                          to_b.x() * to_c.squaredNorm() - to_c.x() * to_b.squaredNorm()) /
-                    (2.0 * twice_area);
+  const Eigen::Vector2d out =
+      Eigen::Vector2d(to_c.y() * to_b.squaredNorm() - to_b.y() * to_c.squaredNorm(),
+                      to_b.x() * to_c.squaredNorm() - to_c.x() * to_b.squaredNorm()) /
+      (2.0 * twice_area);
   const PlaneCircle circle{a + out, out.norm()};
   return std::isfinite(circle.radius) && circle.centre.allFinite() ? std::optional(circle)
                                                                    : std::nullopt;
@@ -29,7 +29,7 @@ std::optional<PlaneCircle> through_three(const Point& a, const Point& b, const P
 
 }  // namespace
 
-std::optional<PlaneCircle> circle_through(std::span<const Point> points) {
+std::optional<PlaneCircle> circle_through(std::span<const Eigen::Vector2d> points) {
   if (points.size() == 3) {
     return through_three(points[0], points[1], points[2]);
   }

@@ -18,8 +18,6 @@ constexpr int kCutting = number_in_group("G96");
 constexpr int kCuttingPerMinute = number_in_group("G961");
 constexpr int kPerMinuteAfterwards = number_in_group("G971");
 
-constexpr double kMmPerMetre = 1000.0;
-
 /// mm/min: slower and faster than any axis goes.
 constexpr double kLeastFeed = 1e-9;
 constexpr double kMostFeed = 1e12;

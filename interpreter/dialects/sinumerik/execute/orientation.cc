@@ -20,7 +20,7 @@ constexpr Address kVector[] = {Address::DirectionX, Address::DirectionY, Address
 constexpr Address kAngles[] = {Address::OrientationA, Address::OrientationB, Address::OrientationC};
 constexpr int kMachine = number_in_group("ORIMKS");
 constexpr int kRollPitchYaw = number_in_group("ORIRPY");
-constexpr int kByAxes = number_in_group("ORIAXES");
+constexpr int kTurnedByAxes = number_in_group("ORIAXES");
 constexpr int kPointToPoint = number_in_group("PTP");
 constexpr int kPointToPointOfRapids = number_in_group("PTPG0");
 
@@ -247,7 +247,7 @@ Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
   const Vector3 from = channel.tool_direction(q_M);
   const Vector3 to = channel.tool_direction(q_M_end);
   const double angle = std::atan2(from.cross(to).norm(), from.dot(to)) * 180.0 / std::numbers::pi;
-  const int pieces = channel.group[Group::OrientationPath] == kByAxes || angle > 179.999
+  const int pieces = channel.group[Group::OrientationPath] == kTurnedByAxes || angle > 179.999
                          ? 1
                          : std::max(1, static_cast<int>(std::ceil(angle / kPieceDeg)));
   const AxisPositions q_W_from = channel.present();

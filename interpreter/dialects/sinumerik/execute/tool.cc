@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kToolChange = 6.0;  // M6
 constexpr int kPerRevolution = number_in_group("G95");
-constexpr double kMmPerMetre = 1000.0;
 constexpr int kPerAdditive = 10;     // numbers of $TC_SCP for one DL,
 constexpr int kFirstOfAdditive = 3;  // behind the tenfold of which its parameters begin
 

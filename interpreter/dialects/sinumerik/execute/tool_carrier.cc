@@ -12,7 +12,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr int kByAxes = number_in_group("TCOABS");
+constexpr int kFromAxes = number_in_group("TCOABS");
 constexpr int kFrameFollows = number_in_group("PAROT");
 
 /// The origin of the frames that a table takes along, from outside.
@@ -126,7 +126,7 @@ MaybeFailure turn_carrier(Channel& channel) {
   if (channel.orientation.carrier == 0) {
     return std::nullopt;
   }
-  if (channel.group[Group::ToolCarrier] != kByAxes) {
+  if (channel.group[Group::ToolCarrier] != kFromAxes) {
     return stand_by_frame(channel);
   }
   const auto found = carrier_in_force(channel, channel.orientation.carrier);

@@ -8,7 +8,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr double kParallel = 1e-9;  // sines below it
+constexpr double kParallelToAxis = 1e-9;  // sines below it
 
 /// Which axis of the new system points along the tool: TOROTX, TOFRAMEY; Z when nothing is said.
 int axis_along_tool(std::string_view name) {
@@ -23,7 +23,7 @@ Eigen::Matrix3d turned_to(const Eigen::Matrix3d& old, int along, const Eigen::Ve
   const Eigen::Vector3d stays = old.col(second);
   const Eigen::Vector3d turns = old.col(along);
   Eigen::Vector3d direction = stays * turns.dot(tool) - turns * stays.dot(tool);
-  if (direction.norm() < kParallel) {
+  if (direction.norm() < kParallelToAxis) {
     direction = stays;  // the tool is square to both
   }
   if (direction.dot(stays) < 0.0) {

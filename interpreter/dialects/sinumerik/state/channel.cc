@@ -204,7 +204,6 @@ double Channel::kept_per_datum(DatumUnit unit, std::optional<int> axis) const {
   if (!counts || group[Group::Unit] != kInchAndFeed) {
     return 1.0;
   }
-  constexpr double kMmPerMetre = 1000.0;
   return unit == DatumUnit::Metres ? mm_per_datum() / kMmPerMetre : mm_per_datum();
 }
 

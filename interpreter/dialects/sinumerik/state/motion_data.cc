@@ -9,8 +9,6 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr double kMmPerMetre = 1000.0;
-
 double positive_or(double value, double otherwise) {
   return value > 0.0 ? value : otherwise;
 }

@@ -20,6 +20,9 @@ namespace g31::sinumerik {
 /// The axis that DIAMON counts in diameters, and whose work coordinate G96 takes as the radius: X.
 inline constexpr int kTransverseAxis = 0;
 
+/// Cutting speeds count in m/min, some machine data in m.
+inline constexpr double kMmPerMetre = 1000.0;
+
 /// What programs said about the spindle.
 struct Spindle {
   static constexpr int kPositioned = -19;
