@@ -129,7 +129,7 @@ Use JudgedBlock::use() const {
       return Use::MacroCall;
     }
     if (is_g(word, 67.0)) {
-      return Use::Unknown;  // nothing else of its block counts
+      return Use::Unknown;  // what else stands in its block a run judges
     }
     const Use use = word.letter == 'M' ? use_by_m(word) : Use::Block;
     if (use != Use::Block) {

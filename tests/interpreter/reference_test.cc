@@ -41,7 +41,7 @@ TEST(Explain, TakesTopicsAsUsersWriteThem) {
       {"G31", "fanuc-16i", "G code", "G31"},
       {"g1", "fanuc-16i", "G code", "G01"},
       {"G54.1", "fanuc-16i", "G code", "G54.1"},
-      {"m99", "fanuc-16i", "M code", "M99 Pn"},
+      {"m99", "fanuc-16i", "M code", "M99 Pn Lk"},
       {"PS0112", "fanuc-16i", "alarm", "112 DIVIDED BY ZERO"},
       {"alarm  112", "fanuc-16i", "alarm", "112 DIVIDED BY ZERO"},
       {"P283", "fanuc-16i", "alarm", "283 DIVIDED BY ZERO"},

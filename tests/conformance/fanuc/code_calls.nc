@@ -143,6 +143,28 @@ M30
 %
 (EXPECT ALARM 1100 AT 4)
 
+(CASE G67 ends the modal call, and the other words of its block take effect)
+(CONTROL fanuc-16i)
+%
+O1
+G91 G0 X1.
+G66 P9500
+X1.
+G67 G90 G0 X10.
+#101=#5021
+#102=#4003
+G91 G40 G49 G67 G80
+#103=#4003
+M30
+O9500
+#100=#100+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 10)
+(EXPECT #102 = 90)
+(EXPECT #103 = 91)
+
 (CASE MB-207 a G code calls a macro)
 (PARAMETER 6052 = 100)
 %
@@ -568,3 +590,39 @@ M99
 (EXPECT #103 = 40)
 (EXPECT #100 = 7)
 (EXPECT #102 = 8)
+
+(CASE G67 and the end of the program in one block, or that of a subprogram)
+(CONTROL fanuc-16i)
+%
+O1
+M98 P9501
+#102=1
+G67 M30
+#101=1
+O9501
+G67 M99
+#103=1
+M99
+%
+(EXPECT #101 = VACANT)
+(EXPECT #102 = 1)
+(EXPECT #103 = VACANT)
+
+(CASE G67 with a motion calls the outer macro)
+(CONTROL fanuc-16i)
+%
+O1
+G66 P9500
+G66 P9501
+G67 X5.
+G67
+M30
+O9500
+#100=#100+1
+M99
+O9501
+#101=#101+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = VACANT)

@@ -656,3 +656,72 @@ O2
 N4 M99
 %
 (EXPECT ALARM 7 AT 4)
+
+(CASE M99 is the last of its block: the other words take effect first)
+(SOURCE FANUC operator's manual B-64304EN, 13.3: M99 need not stand in a block of its own, X100.0 Y100.0 M99;)
+%
+O1
+G90 G54 G0 X0 Y0
+M98 P9500
+#100=#5021
+#101=#4003
+M98 P9501
+#102=#4009
+#103=#5021
+G65 P9502
+#104=#4109
+#105=#4014
+#106=#5022
+M98 P39503
+#107=#5021
+M30
+O9500
+G91
+G90 G0 X10. M99
+O9501
+G81 X5. Z-5. R1. F100.
+G80 M99
+O9502
+F333. G55 G0 Y7. M99
+O9503
+G91 G0 X1. M99
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 90)
+(EXPECT #102 = 80)
+(EXPECT #103 = 5)
+(EXPECT #104 = 333)
+(EXPECT #105 = 55)
+(EXPECT #106 = 7)
+(EXPECT #107 = 8)
+
+(CASE M99 P in a main program goes on behind the words of its block)
+%
+O1
+G90 G0 X10. M99 P5
+#100=1
+N5 #101=#5021
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 10)
+
+(CASE M99 beside a stop and an end, and with what was measured)
+(SIGNAL X5)
+%
+O1
+M98 P9500
+#101=1
+M98 P9501
+#102=1
+M30
+O9500
+G31 X9. F100.
+#100=#5061
+G0 X[#100+1.] M99
+O9501
+M30 M99
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = VACANT)
+(EXPECT NO WARNING PRB301)

@@ -44,11 +44,41 @@ NcBlocks::NcBlocks(CallStack& stack, Control& control, CalledPrograms& programs,
     control_.touches.missed.passes_on();
     return std::nullopt;
   }
-  return plain_block(stack_.here());
+  if (calls_.ends_call()) [[unlikely]] {
+    return end_of_call(stack_.here());
+  }
+  if (auto failure = own_words(stack_.here())) {
+    return failure;
+  }
+  return modal_call();
 }
 
-/// A block that calls nothing; its motion may set off a modal call.
-[[gnu::hot]] MaybeFailure NcBlocks::plain_block(source::Location where) {
+MaybeFailure NcBlocks::modal_call() {
+  return stack_.frame().modal_calls.empty() ? std::nullopt : macros_.modal_call();
+}
+
+/// A block with G67, or with M99, which is the last of it (FANUC B-64304EN, 13.3).
+MaybeFailure NcBlocks::end_of_call(source::Location where) {
+  if (running_.words().all().size() == 1) {  // M99 alone, at the end of every call
+    control_.touches.missed.passes_on();
+    return calls_.returns() ? subprograms_.return_from(running_.words()) : std::nullopt;
+  }
+  const BlockWords whole = running_.words();
+  running_.leave_out_end_of_call(calls_.returns());
+  const bool has_others = !running_.words().all().empty();
+  if (!has_others) {
+    control_.touches.missed.passes_on();
+  } else if (auto failure = own_words(where)) {
+    return failure;
+  }
+  if (calls_.returns()) {
+    return stack_.has_ended() ? std::nullopt : subprograms_.return_from(whole);
+  }
+  return has_others ? modal_call() : std::nullopt;
+}
+
+/// What the words of a block do by themselves, calls apart.
+[[gnu::hot]] MaybeFailure NcBlocks::own_words(source::Location where) {
   if (auto failure = execute_words(control_, running_.words(), where)) {
     return failure;
   }
@@ -56,12 +86,7 @@ NcBlocks::NcBlocks(CallStack& stack, Control& control, CalledPrograms& programs,
   if (auto failure = skip_check(where)) {
     return failure;
   }
-  if (running_.words().has('M')) {
-    if (auto failure = program_codes(where)) {
-      return failure;
-    }
-  }
-  return stack_.frame().modal_calls.empty() ? std::nullopt : macros_.modal_call();
+  return running_.words().has('M') ? program_codes(where) : std::nullopt;
 }
 
 /// M codes that stop or end the program, and M109: each one of the block.

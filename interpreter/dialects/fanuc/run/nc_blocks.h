@@ -18,7 +18,9 @@ class NcBlocks {
   MaybeFailure run(const Step& step);
 
  private:
-  MaybeFailure plain_block(source::Location where);
+  MaybeFailure modal_call();
+  MaybeFailure end_of_call(source::Location where);
+  MaybeFailure own_words(source::Location where);
   [[nodiscard]] MaybeFailure skip_check(source::Location where);
   [[nodiscard]] MaybeFailure ask_for_key(source::Location where);
   [[nodiscard]] std::string prompt() const;

@@ -99,6 +99,20 @@ bool RunningWords::skips_rest(const syntax::Word& word) {
   return control_.block_skip.contains(static_cast<int>(word.number));
 }
 
+void RunningWords::leave_out_end_of_call(bool returns) {
+  BlockWords others;
+  others.set_sequence(words_.sequence());
+  for (const EvaluatedWord& word : words_.all()) {
+    const bool cancels = word.letter == 'G' && word.number == kCancelModal;
+    const bool is_of_return = word.letter == 'P' || word.letter == 'L' ||
+                              (word.letter == 'M' && nearest_integer(word.number) == kReturn);
+    if (!cancels && !(returns && is_of_return)) {
+      others.add(word);
+    }
+  }
+  words_ = std::move(others);
+}
+
 [[gnu::hot]] MaybeFailure execute_words(Control& control, const BlockWords& words,
                                         source::Location where) {
   if (auto failure = execute_block(control, words, where)) {

@@ -12,6 +12,9 @@
 
 namespace g31::fanuc {
 
+inline constexpr double kCancelModal = 67.0;  ///< G67
+inline constexpr int kReturn = 99;            ///< M99
+
 /// The words of the running NC block, worked out.
 class RunningWords {
  public:
@@ -20,6 +23,8 @@ class RunningWords {
 
   MaybeFailure read(const Step& step);
   [[nodiscard]] const BlockWords& words() const { return words_; }
+  /// Leaves out G67, and what is of M99: itself, P and L.
+  void leave_out_end_of_call(bool returns);
 
   /// What they read of skip moves without a signal, by where they stand.
   using Readings = std::vector<std::pair<std::uint32_t, runtime::MissedTouches::Reading>>;

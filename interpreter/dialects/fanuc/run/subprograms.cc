@@ -170,11 +170,11 @@ MaybeFailure Subprograms::jump_by_input(const EvaluatedWord& m) {
   return go_to(frame(), *p);
 }
 
-MaybeFailure Subprograms::return_from() {
-  const EvaluatedWord* const p = words_.find('P');
+MaybeFailure Subprograms::return_from(const BlockWords& words) {
+  const EvaluatedWord* const p = words.find('P');
   Frame& now = frame();
-  if (words_.has('L')) {
-    const auto left = repeats_of(words_);
+  if (words.has('L')) {
+    const auto left = repeats_of(words);
     if (!left) {
       return left.error();
     }

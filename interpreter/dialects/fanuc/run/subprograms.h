@@ -32,9 +32,9 @@ class Subprograms {
   /// An M or T code that parameters make a subprogram call: the other words of the block are
   /// executed first, the code itself is not (MB-210, MB-211).
   MaybeFailure call_by_code(const EvaluatedWord& code, int program_number);
-  /// M99: back to the caller, to block P of it, or to the top of the main program; L replaces the
-  /// repeats that are left (MB-218 to MB-221).
-  MaybeFailure return_from();
+  /// M99 of a block of these words: back to the caller, to block P of it, or to the top of the main
+  /// program; L replaces the repeats that are left (MB-218 to MB-221).
+  MaybeFailure return_from(const BlockWords& words);
 
  private:
   Result<Entry, Failure> entry_of(const EvaluatedWord& m);

@@ -14,8 +14,10 @@ Result<bool, Failure> has_called(MaybeFailure failure) {
 }  // namespace
 
 [[gnu::hot]] Result<bool, Failure> WordCalls::call_in_block() {
+  cancels_ = false;
+  returns_ = false;
   const auto& modal = frame().modal_calls;
-  const bool every_block = !modal.empty() && modal.back()->every_block;
+  bool every_block = !modal.empty() && modal.back()->every_block;
   const std::uint32_t letters = every_block ? letters_of("G") : control_.code_calls.letters;
   const bool codes_call = every_block || !control_.code_calls.macro_by_g.empty();
   const auto words = words_.has_any(letters) ? words_.all() : std::span<const EvaluatedWord>();
@@ -27,17 +29,20 @@ Result<bool, Failure> has_called(MaybeFailure failure) {
     auto called = word.letter == 'G'   ? call_by_g(word, every_block)
                   : word.letter == 'M' ? call_by_m(word)
                                        : call_by_address(word);
-    if (!called || called.value()) {
+    if (!called || called.value() || returns_) {
       return called;
     }
+    every_block = every_block && !cancels_;
   }
   return every_block ? has_called(macros_.every_block_call()) : false;
 }
 
 [[gnu::hot]] Result<bool, Failure> WordCalls::call_by_g(const EvaluatedWord& word,
                                                         bool every_block) {
-  if (word.number == 67.0) {
-    return has_called(macros_.cancel_modal(word));
+  if (word.number == kCancelModal) {
+    cancels_ = true;
+    auto failure = macros_.cancel_modal(word);
+    return failure ? Result<bool, Failure>(*std::move(failure)) : false;
   }
   if (every_block) {
     return has_called(macros_.every_block_call());
@@ -65,8 +70,9 @@ Result<bool, Failure> WordCalls::call_by_m(const EvaluatedWord& word) {
   if (code == 98 || subprograms_.calls_external(code)) {
     return has_called(subprograms_.call(word));
   }
-  if (code == 99) {
-    return has_called(subprograms_.return_from());
+  if (code == kReturn) {
+    returns_ = true;
+    return false;
   }
   if (control_.profile.has_local_calls && code == kLocalCall) {
     return has_called(subprograms_.call_local(word));

@@ -19,6 +19,9 @@ class WordCalls {
 
   /// Calls what a word of the block calls.  @returns whether there was such a word
   Result<bool, Failure> call_in_block();
+  /// Whether G67 stands in the block, or M99, which ends the program behind the other words.
+  [[nodiscard]] bool ends_call() const { return cancels_ || returns_; }
+  [[nodiscard]] bool returns() const { return returns_; }
 
  private:
   Result<bool, Failure> call_by_g(const EvaluatedWord& word, bool every_block);
@@ -36,6 +39,8 @@ class WordCalls {
   const BlockWords& words_;
   MacroCalls& macros_;
   Subprograms& subprograms_;
+  bool cancels_ = false;
+  bool returns_ = false;
 };
 
 }  // namespace g31::fanuc
