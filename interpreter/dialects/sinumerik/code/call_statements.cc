@@ -66,6 +66,7 @@ void CallStatements::call(CallSite site, ShortSpan where) {
 /// CALL text, CALL text BLOCK first TO last
 void CallStatements::call_statement() {
   if (cursor_.peek().is_name("BLOCK")) {
+    words_.finish_block();  // as before a call
     jumps_.call_block();
     return;
   }
@@ -143,6 +144,7 @@ void CallStatements::return_to(const std::vector<Argument>& list) {
   if (failed()) {
     return;
   }
+  words_.finish_block();
   const std::uint32_t first = keep_arguments(list);
   code_.emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block());
   code_.last().count = static_cast<std::uint16_t>(list.size());

@@ -6,18 +6,27 @@
 #include "interpreter/source/printable.h"
 
 namespace g31::sinumerik {
+namespace {
 
-Compiler::Handler Compiler::find_handler(std::string_view name) {
+/// Statements that say which block is next, by their part of the compiler.
+constexpr bool directs_flow(std::string_view part) {
+  return part == "structures" || part == "jumps";
+}
+
+}  // namespace
+
+const Compiler::Handler* Compiler::find_handler(std::string_view name) {
   static const NameMap<Handler> kHandlers = [] {
     NameMap<Handler> map;
-#define KEYWORD(name, part, statement, form, text) \
-  map.emplace(#name, [](Compiler& compiler) { compiler.part##_.statement(); });
+#define KEYWORD(name, part, statement, form, text)                                     \
+  map.emplace(#name, Handler{[](Compiler& compiler) { compiler.part##_.statement(); }, \
+                             directs_flow(#part)});
 #include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
 #undef KEYWORD
     return map;
   }();
   const auto found = kHandlers.find(name);
-  return found != kHandlers.end() ? found->second : nullptr;
+  return found != kHandlers.end() ? &found->second : nullptr;
 }
 
 void Compiler::read_block(ShortSpan span) {
@@ -145,9 +154,12 @@ void Compiler::item() {
     cursor_.next();  // the lengths of the file, as those of the basic system
     return;
   }
-  if (const Handler handler = find_handler(token.text)) {
+  if (const Handler* const handler = find_handler(token.text)) {
     cursor_.next();
-    handler(*this);
+    if (handler->directs_flow) {
+      words_.finish_block();  // the words before a jump belong to the same block and come first
+    }
+    handler->compile(*this);
     return;
   }
   if (const auto id = find_procedure(token.text)) {

@@ -41,7 +41,11 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
   std::unique_ptr<CompiledProgram> run_expression();
 
  private:
-  using Handler = void (*)(Compiler&);
+  /// Of a word that begins a statement.
+  struct Handler {
+    void (*compile)(Compiler&);
+    bool directs_flow;
+  };
 
   // compiler.cc: blocks and what is wrong with them
   void read_block(ShortSpan span);
@@ -65,7 +69,8 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
   bool plain_block(ShortSpan line);
   bool plain_word(const PlainWord& word);
 
-  static Handler find_handler(std::string_view name);
+  /// nullptr: no such word
+  static const Handler* find_handler(std::string_view name);
 
   [[nodiscard]] BlockWork work() { return {reader_, program_, code_}; }
 
