@@ -148,6 +148,10 @@ TEST(KinematicsAlarms, SingleStepsThatAreTooCloseTogether) {
   expect_refused({"a segment of 61", both + "CYCLE996(1000,1,1,,,,,,,,,61)", 61430}, sheets, false);
   expect_refused({"offset vectors", both + "CYCLE996(1000,1,1,,,,,,,0.01,5,15,,,,,,1)", 61430},
                  sheets, false);
+  const std::string moved = head_step(10401, 120, 30) + head_step(10402, 180, 30) +
+                            head_step(10403, 240, 31) + head_step(20401, 0, 0) +
+                            head_step(20402, 0, 30) + head_step(20403, 0, 90);
+  expect_refused({"the other axis moved", moved + "CYCLE996(1000,1,1)", 61430}, sheets, false);
   expect_refused({"two of axis 2", first + head_step(20401, 0, 0) + "CYCLE996(1000,1,1)", 61430},
                  sheets, false);
 }
