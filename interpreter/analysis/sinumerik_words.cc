@@ -45,6 +45,7 @@ class JudgedWords {
     bool is_beside_positioning = false;  ///< POS stands in the block, and may be what measures
   };
 
+  void forget();
   WrongStep take(std::size_t address, std::optional<double> value, Modification modification);
   WrongStep take_axis_word(const Op& step, const SinumerikConstants& constants);
   void take_measuring(const Op& step, const SinumerikConstants& constants);
@@ -115,9 +116,7 @@ void JudgedWords::take_measuring(const Op& step, const SinumerikConstants& const
 
 WrongStep JudgedWords::look_at(const Op& step, const SinumerikConstants& constants) {
   if (step.code == OpCode::Block || step.code == OpCode::NcBlock) {
-    words_ = {};
-    measuring_ = {};
-    has_open_code_ = false;
+    forget();
   }
   if (step.code == OpCode::Word) {
     return take(step.detail, constants.number(step.a), static_cast<Modification>(step.count));
@@ -129,9 +128,18 @@ WrongStep JudgedWords::look_at(const Op& step, const SinumerikConstants& constan
     take_measuring(step, constants);
   }
   has_open_code_ = has_open_code_ || step.code == OpCode::GroupCode;
-  return step.code == OpCode::Execute || step.code == OpCode::NcBlock
-             ? take_block(program_.nc_blocks[static_cast<std::size_t>(step.b.place)])
-             : std::nullopt;
+  if (step.code != OpCode::Execute && step.code != OpCode::NcBlock) {
+    return std::nullopt;
+  }
+  WrongStep wrong = take_block(program_.nc_blocks[static_cast<std::size_t>(step.b.place)]);
+  forget();  // what stands behind a jump are other words
+  return wrong;
+}
+
+void JudgedWords::forget() {
+  words_ = {};
+  measuring_ = {};
+  has_open_code_ = false;
 }
 
 const sinumerik::GCode* JudgedWords::code_of(Group group) const {
@@ -219,6 +227,10 @@ WrongStep JudgedWords::corners() const {
 /// G4, G75, G110 to G112; of others a run judges.
 WrongStep JudgedWords::special(sinumerik::GAction action) const {
   if (action == sinumerik::GAction::Dwell) {
+    if (has_axis() || stands(Address::PolarAngle) || stands(Address::PolarRadius) ||
+        measuring_.is_beside_positioning) {
+      return sinumerik::axis_beside_dwell();
+    }
     return stands(Address::Speed) ? std::nullopt : judged(Address::Feed, sinumerik::wrong_dwell);
   }
   return action == sinumerik::GAction::FixedPoint

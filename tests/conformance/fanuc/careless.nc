@@ -287,3 +287,40 @@ M30
 %
 (EXPECT WARNING PRB303 AT 6)
 (EXPECT WARNING PRB303 AT 9)
+
+(CASE G43 without H, and none before it)
+%
+O1
+G90 G43 Z50.
+M30
+%
+(EXPECT WARNING PRB328 AT 3)
+
+(CASE G41 without D, and none before it)
+%
+O1
+G90 G0 X0 Y0
+G1 G41 X10. F100.
+G40 X0
+M30
+%
+(EXPECT WARNING PRB328 AT 4)
+
+(CASE G43 and G41 with H0 and D0, and with those of before)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+(SHEET radius = 3.0)
+%
+O1
+G90 G43 H0 Z300.
+G1 G41 D0 X10. F100.
+X20.
+G40 X0
+G49 H1
+G43 Z200.
+G0 Y5. D1
+G1 G41 X10. F100.
+G40 X0
+M30
+%
+(EXPECT NO WARNING PRB328)

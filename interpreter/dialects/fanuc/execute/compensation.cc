@@ -237,6 +237,11 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
                         ? CompensationCommand::Written::Here
                         : CompensationCommand::Written::Before;
   command.where = block.where;
+  if (command.state == State::Off && command.written == CompensationCommand::Written::Here &&
+      !block.words.has('D')) {
+    control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where,
+                      fmt::format("G{} without D, which is 0", code));
+  }
   cutter.command = command;
   if (command.state == State::On && control.transforms.turns_other_than(control.modal.plane())) {
     return block_failure(AlarmId::PlaneInRotation);

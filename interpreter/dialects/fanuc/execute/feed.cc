@@ -24,6 +24,12 @@ Result<double, Failure> no_less(double feed_mm_min) {
                                    : block_failure(AlarmId::NoFeed);
 }
 
+bool is_tapping(const Control& control) {
+  const auto& group = control.modal.group;
+  return group[Group::CuttingMode].whole == 63 || group[Group::CannedCycle].whole == 74 ||
+         group[Group::CannedCycle].whole == 84;
+}
+
 /// As the machine counts the way.
 double length_of(const FeedWay& way) {
   const AxisPositions d = way.q_end - way.q_from;
@@ -81,11 +87,20 @@ Failure no_speed() {
                        "G95 needs a spindle speed S, at the centre of G96 its limit G92 S, too");
 }
 
+/// Tapping turns the spindle itself, and what codes of the builder's do is not known.
+void tell_standing_spindle(Control& control) {
+  if (control.rotation == machine::Rotation::Stopped && !control.builder_may_turn &&
+      !is_tapping(control) && control.feed_switches.dry_run_mm_min <= 0.0) {
+    control.warn(source::DiagnosticId::FeedWithoutTurning, control.block);
+  }
+}
+
 /// G95.  @param turn_min  minutes of a turn
-Result<double, Failure> feed_by_turns(const Control& control, double turn_min) {
+Result<double, Failure> feed_by_turns(Control& control, double turn_min) {
   if (control.modal.feed <= 0.0) {
     return block_failure(AlarmId::NoFeed);
   }
+  tell_standing_spindle(control);
   return turn_min > 0.0 && std::isfinite(turn_min)
              ? no_less(control.to_mm(control.modal.feed) / turn_min)
              : no_speed();
@@ -110,12 +125,12 @@ FeedWay axes_way(const Control& control, const AxisPositions& q_M_end) {
   return {control.port.position(), q_M_end, mm_per_degree(control)};
 }
 
-Result<double, Failure> feed_along(const Control& control, const FeedWay& way) {
+Result<double, Failure> feed_along(Control& control, const FeedWay& way) {
   return control.modal.inverse_time() ? inverse_time_feed(control, way)
                                       : feed_by_turns(control, mean_turn(control, way));
 }
 
-Result<double, Failure> feed_in_force(const Control& control) {
+Result<double, Failure> feed_in_force(Control& control) {
   if (control.modal.inverse_time()) {
     return block_failure(AlarmId::NotInInverseTime, "this block takes F as a feed");
   }
@@ -126,22 +141,20 @@ Result<double, Failure> feed_in_force(const Control& control) {
   if (!control.modal.per_revolution()) {
     return no_less(feed);
   }
+  tell_standing_spindle(control);
   const double speed = spindle_speed(control);
   return speed > 0.0 && std::isfinite(speed) ? no_less(feed * speed) : no_speed();
 }
 
 double switched_feed(const Control& control, double feed_mm_min) {
   constexpr int kOverrideOff = 1 << 1;  // of #3004
-  const auto& modal = control.modal;
-  const bool taps = modal.group[Group::CuttingMode].whole == 63 ||
-                    modal.group[Group::CannedCycle].whole == 74 ||
-                    modal.group[Group::CannedCycle].whole == 84;
+  const bool taps = is_tapping(control);
   const runtime::FeedSwitches& switches = control.feed_switches;
   if (switches.dry_run_mm_min > 0.0 && !taps) {
     return switches.dry_run_mm_min;
   }
   const bool as_programmed =
-      taps || modal.cuts_thread() || (control.override_control & kOverrideOff) != 0;
+      taps || control.modal.cuts_thread() || (control.override_control & kOverrideOff) != 0;
   return as_programmed ? feed_mm_min : feed_mm_min * switches.override_percent / 100.0;
 }
 

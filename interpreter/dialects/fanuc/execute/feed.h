@@ -30,17 +30,18 @@ FeedWay axes_way(const Control& control, const AxisPositions& q_M_end);
 /// tip.
 double mm_per_degree(const Control& control);
 
-/// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
+/// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314),
+/// and it is told where the spindle stands.
 /// Not under G93, whose F means nothing without a way.
-Result<double, Failure> feed_in_force(const Control& control);
+Result<double, Failure> feed_in_force(Control& control);
 
 /// mm/min of a feed that depends on its way: under G93, and under G95 with G96 the mean, so that
 /// its time is right.
-Result<double, Failure> feed_along(const Control& control, const FeedWay& way);
+Result<double, Failure> feed_along(Control& control, const FeedWay& way);
 
 /// The feed of a block, mm/min.  @param way  makes its FeedWay; not asked where it does not matter
 template <typename MakeWay>
-Result<double, Failure> feed_over(const Control& control, MakeWay way) {
+Result<double, Failure> feed_over(Control& control, MakeWay way) {
   return control.modal.feed_depends_on_way() ? feed_along(control, way()) : feed_in_force(control);
 }
 

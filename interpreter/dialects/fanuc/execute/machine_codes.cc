@@ -4,6 +4,7 @@
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/execute/spindle.h"
+#include "interpreter/runtime/machine_code.h"
 #include "interpreter/runtime/probe_inside.h"
 
 namespace g31::fanuc {
@@ -24,11 +25,12 @@ constexpr auto kCodesOfControl = std::to_array<int>({
 #undef LANGUAGE_WORD
 });
 
-/// What a code of the builder's sets off is recorded: a probe, air, an arm.
-void record_code(const Control& control, int code) {
+/// What a code of the builder's sets off is recorded: a probe, air, an arm; the spindle, perhaps.
+void record_code(Control& control, int code) {
   if (std::ranges::find(kCodesOfControl, code) != kCodesOfControl.end()) {
     return;
   }
+  control.builder_may_turn = control.builder_may_turn || runtime::may_turn_spindle(code);
   runtime::RecordedEvent event{
       "m_code", {{"m", static_cast<double>(code)}}, control.block, control.port.time_s()};
   if (control.tool) {
@@ -39,6 +41,7 @@ void record_code(const Control& control, int code) {
 
 void turn(Control& control, machine::Rotation rotation) {
   control.rotation = rotation;
+  control.builder_may_turn = false;
   const bool stops = rotation == machine::Rotation::Stopped;
   const double speed = stops ? 0.0 : spindle_speed(control);
   // At the centre of G96 without a limit the machine has the last word, which nothing here knows.
@@ -48,6 +51,7 @@ void turn(Control& control, machine::Rotation rotation) {
 /// M19 Rn, or Pn for those controls that write it so.
 void orient(Control& control, const BlockWords& words) {
   control.rotation = machine::Rotation::Stopped;
+  control.builder_may_turn = false;
   const EvaluatedWord* const angle = words.has('R') ? words.find('R') : words.find('P');
   control.port.turn_spindle(
       {machine::Rotation::Stopped, 0.0, angle != nullptr ? angle->number : 0.0});

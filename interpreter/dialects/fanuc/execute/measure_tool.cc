@@ -47,7 +47,7 @@ const EvaluatedWord* measuring_word(const Control& control, const NcBlock& block
 }
 
 /// The feed near the measuring position, mm/min.
-Result<double, Failure> measuring_feed(const Control& control, const NcBlock& block) {
+Result<double, Failure> measuring_feed(Control& control, const NcBlock& block) {
   const bool is_given = measuring_word(control, block, 'F') != nullptr;
   const double feed = is_given ? 0.0 : control.parameters.get(ParameterId::MeasuringFeed);
   return feed > 0.0 ? Result<double, Failure>(feed) : feed_in_force(control);

@@ -121,6 +121,10 @@ MaybeFailure select_tool_length(Control& control, NcBlock& block, const GCode* c
       return number.error();
     }
     control.modal.length_offset = number.value();
+  } else if (commanded != nullptr && code != 49 && control.modal.length_offset == 0) {
+    control.warn_once(
+        source::DiagnosticId::WordWithoutEffect, control.block,
+        fmt::format("{} without H, which is 0", to_text(control.modal.group[Group::ToolLength])));
   }
   const bool had_tip = control.coordinates.tip_system() != TipSystem::None;
   if (auto failure = select_tip_control(control)) {

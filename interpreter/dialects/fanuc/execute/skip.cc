@@ -137,7 +137,7 @@ double skip_speed(const Control& control, double feed_mm_min) {
 }
 
 /// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
-Result<double, Failure> skip_feed(const Control& control, const NcBlock& block,
+Result<double, Failure> skip_feed(Control& control, const NcBlock& block,
                                   const AxisPositions& q_M_end) {
   const auto parameter = control.profile.skip_feed_parameter;
   const auto step = step_parameter(block);

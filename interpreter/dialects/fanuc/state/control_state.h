@@ -160,6 +160,7 @@ struct ControlState {
   Calendar calendar;             ///< #3011, #3012
   runtime::BusyWait busy_wait;
   machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle
+  bool builder_may_turn = false;  ///< an M code of the builder's came behind its last command
   SpindleSpeeds spindle;
   std::optional<int> tool;         ///< that M6 has brought
   std::optional<int> called_tool;  ///< the last T; none before the first

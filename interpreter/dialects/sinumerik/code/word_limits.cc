@@ -105,6 +105,11 @@ MaybeWrong wrong_dwell(double seconds) {
              : wrong(AlarmId::ValueOutOfLimits, fmt::format("G4, {:g} s", seconds));
 }
 
+/// Source: programming manual, fundamentals: G4 stands in a block of its own.
+WrongValue axis_beside_dwell() {
+  return {AlarmId::SyntaxInText, "G4 stands in a block of its own, without an axis"};
+}
+
 MaybeWrong wrong_fixed_point(double number) {
   return is_none_of(number, 1.0, kFixedPoints)
              ? wrong(AlarmId::ValueOutOfLimits, fmt::format("FP={:g}", number))

@@ -59,6 +59,8 @@ constexpr bool is_feed(double feed) {
 WrongValue no_feed();
 /// G4
 MaybeWrong wrong_dwell(double seconds);
+/// Of an axis in the block of G4, which would neither move nor wait.
+WrongValue axis_beside_dwell();
 /// FP
 MaybeWrong wrong_fixed_point(double number);
 

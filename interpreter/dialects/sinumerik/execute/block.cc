@@ -217,8 +217,19 @@ MaybeFailure move_path_with_further(Channel& channel, const Block& block, double
   return left_s > 0.0 ? pause(channel, {left_s, block.where}) : std::nullopt;
 }
 
+MaybeFailure wrong_beside_dwell(const Block& block) {
+  const GCode* const code = special_code(block);
+  const bool dwells = code != nullptr && code->action == GAction::Dwell;
+  return dwells && (has_place(block) || block.words.has_positioning)
+             ? MaybeFailure(failure(axis_beside_dwell()))
+             : std::nullopt;
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
   double further_s = 0.0;
+  if (MaybeFailure wrong = wrong_beside_dwell(block)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = fits_into_contour(channel, block)) {
     return wrong;
   }

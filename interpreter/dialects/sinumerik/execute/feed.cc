@@ -137,9 +137,18 @@ double mean_turn(const runtime::TurnTime& time, const FeedWay& way) {
   });
 }
 
-/// mm/min, as F, S and the way make it.
-Result<double, Failure> programmed_feed(const Channel& channel, const Block& block,
-                                        const FeedWay& way) {
+/// What codes of the builder's do to the spindle is not known.
+void tell_standing_spindle(Channel& channel, const Block& block) {
+  const Spindle& spindle = channel.spindle;
+  if (!spindle.turns() && !spindle.builder_may_turn &&
+      channel.feed_switches.dry_run_mm_min <= 0.0) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::FeedWithoutTurning,
+                         block.where);
+  }
+}
+
+/// mm/min, as F, S and the way make it, without override.
+Result<double, Failure> programmed_feed(Channel& channel, const Block& block, const FeedWay& way) {
   const int type = channel.group[Group::FeedType];
   const double feed = way.feed * channel.mm_per_feed() * way.share;
   if (feed_meaning(type) == FeedMeaning::InverseTime) {
@@ -147,30 +156,39 @@ Result<double, Failure> programmed_feed(const Channel& channel, const Block& blo
       return failure(AlarmId::NoFeed, "G93 needs F in every block");
     }
     // A block without a way takes no time: any feed will do.
-    return switched(channel, way.length_mm > 0.0 ? way.feed * way.length_mm : way.feed);
+    return way.length_mm > 0.0 ? way.feed * way.length_mm : way.feed;
   }
   if (!is_feed(feed)) {
     return failure(no_feed());
   }
   if (feed_meaning(type) == FeedMeaning::PerMinute) {
-    return switched(channel, feed);
+    return feed;
   }
+  tell_standing_spindle(channel, block);
   if (!cuts_at_constant_speed(type)) {
     const double speed = spindle_speed(channel, 0.0);
-    return speed > 0.0 ? Result<double, Failure>(switched(channel, feed * speed))
+    return speed > 0.0 ? Result<double, Failure>(feed * speed)
                        : failure(AlarmId::NoFeed, "G95 needs F and S");
   }
   const double turn =
       channel.spindle.cutting_speed > 0.0 ? mean_turn(turn_time(channel), way) : 0.0;
-  return turn > 0.0 ? Result<double, Failure>(switched(channel, feed / turn))
+  return turn > 0.0 ? Result<double, Failure>(feed / turn)
                     : failure(AlarmId::NoFeed, "G96 needs F and S, and LIMS at X0");
+}
+
+/// G63 goes at its feed, whatever the override says (programming manual, fundamentals: G63).
+bool taps(const Block& block) {
+  const GCode* const code = block.code_of(Group::OneBlock);
+  return code != nullptr && code->name == "G63";
 }
 
 }  // namespace
 
-Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
-                                      const FeedWay& way) {
+Result<double, Failure> feed_in_force(Channel& channel, const Block& block, const FeedWay& way) {
   auto feed = programmed_feed(channel, block, way);
+  if (feed && !taps(block)) {
+    feed = switched(channel, feed.value());
+  }
   const bool can_be = !feed || (feed.value() >= kLeastFeed && feed.value() <= kMostFeed);
   return can_be ? feed
                 : failure(AlarmId::FeedNotPositive, fmt::format("{:g} mm/min", feed.value()));

@@ -31,9 +31,8 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
                  double length_mm);
 
 /// mm/min, override and dry run included.  With G96 the mean over the way, so that its time is
-/// right.
-Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
-                                      const FeedWay& way);
+/// right.  A feed per revolution is told where the spindle stands.
+Result<double, Failure> feed_in_force(Channel& channel, const Block& block, const FeedWay& way);
 
 /// On a helix: the feed of the machine over that of the axes of FGROUP.  Alarm 12140 where FGROUP
 /// has one axis of the plane only.

@@ -276,13 +276,18 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
 }
 
 MaybeFailure dwell(Channel& channel, const Block& block) {
-  double seconds = block.words[Address::Feed].value;
-  if (block.words.has(Address::Speed)) {
+  const BlockWords& words = block.words;
+  if (!words.has(Address::Feed) && !words.has(Address::Speed)) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::WordWithoutEffect, block.where,
+                         "G4 without F or S takes no time");
+  }
+  double seconds = words[Address::Feed].value;
+  if (words.has(Address::Speed)) {
     const double speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
     if (speed <= 0.0) {
       return failure(AlarmId::NoFeed, "G4 S needs a spindle speed");
     }
-    seconds = block.words[Address::Speed].value * 60.0 / speed;
+    seconds = words[Address::Speed].value * 60.0 / speed;
   }
   if (MaybeFailure wrong = failure(wrong_dwell(seconds))) {
     return wrong;

@@ -6,6 +6,7 @@
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
+#include "interpreter/runtime/machine_code.h"
 #include "machine/units/within_turn.h"
 
 namespace g31::sinumerik {
@@ -60,6 +61,7 @@ Numbered master_of(Channel& channel) {
 MaybeFailure orient(Channel& channel, const Numbered& which, double degrees,
                     const source::Location& where) {
   which.spindle.direction = Spindle::kPositioned;
+  which.spindle.builder_may_turn = false;
   which.spindle.angle = degrees;
   channel.port.turn_spindle(
       {machine::Rotation::Stopped, 0.0, degrees, channel.port_spindle(which.number)});
@@ -90,11 +92,6 @@ void turn(Channel& channel, const Numbered& which) {
                              channel.port_spindle(which.number)});
 }
 
-bool turns(const Spindle& spindle) {
-  return spindle.direction == static_cast<int>(kTurnClockwise) ||
-         spindle.direction == static_cast<int>(kTurnCounterclockwise);
-}
-
 /// M3, M4, M5 and M19; other codes are none of a spindle.
 MaybeFailure take_code(Channel& channel, const Numbered& which, double code,
                        const source::Location& where) {
@@ -103,6 +100,7 @@ MaybeFailure take_code(Channel& channel, const Numbered& which, double code,
   }
   if (code == kTurnClockwise || code == kTurnCounterclockwise || code == kStopTurning) {
     which.spindle.direction = static_cast<int>(code);
+    which.spindle.builder_may_turn = false;
     if (code != kStopTurning) {
       which.spindle.angle.reset();
     }
@@ -153,7 +151,7 @@ MaybeFailure take_word(Channel& channel, const BlockWords::SpindleWord& word,
     return orient_by(channel, which, {word.value, word.modification, true, 1}, where);
   }
   (word.address == Address::SpeedLimit ? which.spindle.limit : which.spindle.speed) = word.value;
-  if (word.address == Address::Speed && turns(which.spindle)) {
+  if (word.address == Address::Speed && which.spindle.turns()) {
     turn(channel, which);
   }
   return std::nullopt;
@@ -166,6 +164,8 @@ MaybeFailure take_machine_codes(Channel& channel, const Block& block) {
     if (MaybeFailure wrong = take_code(channel, master_of(channel), code, block.where)) {
       return wrong;
     }
+    channel.spindle.builder_may_turn =
+        channel.spindle.builder_may_turn || runtime::may_turn_spindle(static_cast<int>(code));
     channel.port.auxiliary_code({static_cast<int>(code)});
     channel.inputs.hear(static_cast<int>(code), channel.now());
   }
@@ -175,7 +175,7 @@ MaybeFailure take_machine_codes(Channel& channel, const Block& block) {
 }  // namespace
 
 void tell_spindle(Channel& channel) {
-  if (turns(channel.spindle)) {
+  if (channel.spindle.turns()) {
     turn(channel, master_of(channel));
   }
 }

@@ -211,6 +211,11 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
   }
   MaybeFailure wrong =
       words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
+  if (!wrong && words.has(Address::Edge) && channel.edge != 0 && channel.tool == 0 &&
+      channel.selected_tool.value_or(0) != 0) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::WordWithoutEffect, block.where,
+                         fmt::format("D{}, for T waits for M6 and no tool is there", channel.edge));
+  }
   if (!wrong && words.has(Address::Additive)) {
     wrong = select_additive(channel, words[Address::Additive].value);
   }

@@ -35,8 +35,10 @@ struct Spindle {
   double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96 only
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
   double override_percent = 100.0;                         ///< OVRA[S1]
-  int direction = kNothingYet;  ///< of $P_SDIR: 3, 4, 5 of M3, M4, M5, or one of these two
+  int direction = kNothingYet;    ///< of $P_SDIR: 3, 4, 5 of M3, M4, M5, or one of these two
+  bool builder_may_turn = false;  ///< an M code of the builder's came behind its last command
 
+  [[nodiscard]] bool turns() const { return direction == 3 || direction == 4; }
   /// A speed as it turns: with OVRA, within G25 and G26.  @param programmed  > 0
   [[nodiscard]] double limited(double programmed) const {
     return std::clamp(programmed * override_percent / 100.0, std::min(lowest, highest), highest);
