@@ -112,8 +112,8 @@ set(g31_prelude
 set(g31_quick_prelude ${g31_prelude} <nlohmann/json.hpp>)
 set(g31_test_prelude <gtest/gtest.h> ${g31_quick_prelude})
 
-# A library is compiled many files at a time: templates that they share are made less often (forty cost a sixth less than
-# twenty, and 1.8 GB at most).  The files of a batch share one anonymous namespace.
+# A library is compiled many files at a time: templates that they share are made less often.  Forty take less time than
+# twenty, and 2.4 GB at most, those of tests.  The files of a batch share one anonymous namespace.
 option(G31_BATCHES "Compile libraries and tests several files at a time" ON)
 set(g31_batch 40)
 
