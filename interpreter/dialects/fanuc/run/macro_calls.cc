@@ -52,12 +52,9 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
 
 /// G54 G65 P..: the codes before the call are a block of their own.
 MaybeFailure MacroCalls::codes_before(const EvaluatedWord& code) {
-  BlockWords codes;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (word.letter == 'G' && word.span.begin < code.span.begin) {
-      codes.add(word);
-    }
-  }
+  const BlockWords codes = words_.only([&code](const EvaluatedWord& word) {
+    return word.letter == 'G' && word.span.begin < code.span.begin;
+  });
   return codes.all().empty() ? std::nullopt
                              : execute_words(control_, codes, levels_.stack().here());
 }

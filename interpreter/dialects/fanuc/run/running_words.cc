@@ -100,16 +100,13 @@ bool RunningWords::skips_rest(const syntax::Word& word) {
 }
 
 void RunningWords::leave_out_end_of_call(bool returns) {
-  BlockWords others;
-  others.set_sequence(words_.sequence());
-  for (const EvaluatedWord& word : words_.all()) {
+  BlockWords others = words_.only([returns](const EvaluatedWord& word) {
     const bool cancels = word.letter == 'G' && word.number == kCancelModal;
     const bool is_of_return = word.letter == 'P' || word.letter == 'L' ||
                               (word.letter == 'M' && nearest_integer(word.number) == kReturn);
-    if (!cancels && !(returns && is_of_return)) {
-      others.add(word);
-    }
-  }
+    return !cancels && !(returns && is_of_return);
+  });
+  others.set_sequence(words_.sequence());
   words_ = std::move(others);
 }
 

@@ -93,12 +93,9 @@ MaybeFailure Subprograms::find_called(const EvaluatedWord& p, Entry& entry) {
 /// @param arguments  letters of words that belong to the call
 MaybeFailure Subprograms::execute_beside(const EvaluatedWord& call,
                                          std::initializer_list<char> arguments) {
-  BlockWords others;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &call && std::ranges::find(arguments, word.letter) == arguments.end()) {
-      others.add(word);
-    }
-  }
+  const BlockWords others = words_.only([&](const EvaluatedWord& word) {
+    return &word != &call && std::ranges::find(arguments, word.letter) == arguments.end();
+  });
   return execute_words(control_, others, levels_.stack().here());
 }
 

@@ -73,6 +73,17 @@ class BlockWords {
     words_.push_back(word);
     words_.back().number = number;
   }
+  /// Those that `keeps` says yes to, without N.
+  template <typename Keeps>
+  [[nodiscard]] BlockWords only(Keeps keeps) const {
+    BlockWords kept;
+    for (const EvaluatedWord& word : all()) {
+      if (keeps(word)) {
+        kept.add(word);
+      }
+    }
+    return kept;
+  }
   [[nodiscard]] bool has(char letter) const { return (present_ >> (letter - 'A') & 1U) != 0; }
   [[nodiscard]] bool has_any(std::uint32_t letters) const { return (present_ & letters) != 0; }
   [[nodiscard]] const EvaluatedWord* find(char letter) const {
