@@ -217,9 +217,9 @@ MaybeFailure move_path_with_further(Channel& channel, const Block& block, double
   return left_s > 0.0 ? pause(channel, {left_s, block.where}) : std::nullopt;
 }
 
-MaybeFailure wrong_beside_dwell(const Block& block) {
-  const GCode* const code = special_code(block);
-  const bool dwells = code != nullptr && code->action == GAction::Dwell;
+/// @param special  the block's special_code()
+MaybeFailure wrong_beside_dwell(const Block& block, const GCode* special) {
+  const bool dwells = special != nullptr && special->action == GAction::Dwell;
   return dwells && (has_place(block) || block.words.has_positioning)
              ? MaybeFailure(failure(axis_beside_dwell()))
              : std::nullopt;
@@ -227,7 +227,8 @@ MaybeFailure wrong_beside_dwell(const Block& block) {
 
 MaybeFailure move(Channel& channel, const Block& block) {
   double further_s = 0.0;
-  if (MaybeFailure wrong = wrong_beside_dwell(block)) {
+  const GCode* const special = special_code(block);
+  if (MaybeFailure wrong = wrong_beside_dwell(block, special)) {
     return wrong;
   }
   if (MaybeFailure wrong = fits_into_contour(channel, block)) {
@@ -243,7 +244,7 @@ MaybeFailure move(Channel& channel, const Block& block) {
   }
   if (moves_further_axes(block)) {
     const bool at_rapid = channel.group[Group::Motion] == number_in_group("G0");
-    further_s = at_rapid && special_code(block) == nullptr && has_place(block)
+    further_s = at_rapid && special == nullptr && has_place(block)
                     ? further_rapid_seconds(channel, block)
                     : 0.0;
     if (MaybeFailure wrong = move_further_axes(channel, block, further_motion(channel, block))) {
@@ -253,8 +254,8 @@ MaybeFailure move(Channel& channel, const Block& block) {
   if (channel.deletes_distance && commands_motion(block)) {
     return std::nullopt;
   }
-  if (const GCode* const code = special_code(block)) {
-    return special_of(code->action)(channel, block, *code);
+  if (special != nullptr) {
+    return special_of(special->action)(channel, block, *special);
   }
   if (listens_to_probe(channel, block)) {
     return measure(channel, block);
