@@ -37,6 +37,7 @@ struct TouchEvent {
   std::string_view block;  ///< the measuring word: "G31", "MEAS"
   source::Location where;
   bool triggered = false;
+  AxisPositions q_M_from;  ///< where the move began
   AxisPositions q_M_commanded;
   AxisPositions q_M_latched;
   AxisPositions q_M_stopped;

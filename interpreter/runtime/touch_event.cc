@@ -5,8 +5,9 @@
 namespace g31::runtime {
 
 TouchEvent touch_event(const machine::LinearMove& way, const machine::SkipOutcome& outcome,
-                       const AxisPositions& q_M_now) {
+                       const AxisPositions& q_M_from, const AxisPositions& q_M_now) {
   TouchEvent event;
+  event.q_M_from = q_M_from;
   event.q_M_commanded = way.q_M_end;
   event.feed_mm_min = way.feed_mm_min;
   event.q_M_latched = q_M_now;

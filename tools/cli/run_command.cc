@@ -272,12 +272,11 @@ Result<std::shared_ptr<report::EventLog>, Refusal> open_events(const RunOptions&
 }
 
 /// What recorder and machine are to keep from the start.
-void begin_records(const Checked& line, const setup::Job& job, const Tables& tables,
-                   EchoingRecorder& recorder, machine::MachiningCentre& machine) {
+void begin_records(const Checked& line, const Tables& tables, EchoingRecorder& recorder,
+                   machine::MachiningCentre& machine) {
   if (line.expectations.need_output()) {
     recorder.keep_output();
   }
-  recorder.missed_skips().starts_at(job.machine.q_M_start);
   if (tables.trace != nullptr) {
     machine.trace(line.trace_period_s, *tables.trace);
   }
@@ -336,7 +335,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (options.blocks || wants_page(options)) {
     chronicle.emplace(main_name(options), machine, output);
   }
-  begin_records(line, job, tables.value(), recorder, machine);
+  begin_records(line, tables.value(), recorder, machine);
   picture::WayRecorder ways(machine, job, output);
   machine::MachinePort& port = port_of(options, machine, ways);
   const auto run = session::Run::open(job, *programs.value(), port, recorder);

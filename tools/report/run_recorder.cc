@@ -17,7 +17,6 @@ constexpr std::uint64_t kEventBytes = 192;
 }  // namespace
 
 void RunRecorder::on_move(const runtime::MoveEvent& event) {
-  missed_skips_.moved(event);
   if (what_.moves == RecordWhat::Keep::Yes && budget_.charge(Output::Moves, kMoveBytes)) {
     moves_.push_back(event);
     if (clock_ != nullptr) {

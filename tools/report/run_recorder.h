@@ -56,7 +56,6 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   /// In UTF-8.
   [[nodiscard]] const std::string& output() const { return output_; }
-  [[nodiscard]] session::MissedSkips& missed_skips() { return missed_skips_; }
   [[nodiscard]] const session::MissedSkips& missed_skips() const { return missed_skips_; }
 
  protected:

@@ -41,16 +41,11 @@ NearestPart nearest_part(const std::vector<probe::ProbedPart>& parts, const Poin
 
 }  // namespace
 
-void MissedSkips::moved(const runtime::MoveEvent& event) {
-  q_M_before_ = q_M_now_;
-  q_M_now_ = event.q_M_to;
-}
-
 void MissedSkips::skipped(const runtime::TouchEvent& event) {
   const bool is_known = std::ranges::any_of(
       missed_, [&](const Missed& missed) { return is_same_block(missed.where, event.where); });
   if (!event.triggered && !is_known && missed_.size() < kMostBlocks) {
-    missed_.push_back({event.where, q_M_before_, event.q_M_commanded});
+    missed_.push_back({event.where, event.q_M_from, event.q_M_commanded});
   }
 }
 

@@ -15,10 +15,6 @@ class MissedSkips {
  public:
   static constexpr std::size_t kMostBlocks = 100;
 
-  /// Before the first move.
-  void starts_at(const AxisPositions& q_M) { q_M_now_ = q_M; }
-  void moved(const runtime::MoveEvent& event);
-  /// @pre moved() has heard of the same move
   void skipped(const runtime::TouchEvent& event);
 
   /// Adds to each message PRB301 which part was nearest to the ball on its way, and how far away:
@@ -33,8 +29,6 @@ class MissedSkips {
     AxisPositions q_M_to;
   };
 
-  AxisPositions q_M_before_ = AxisPositions::Zero();
-  AxisPositions q_M_now_ = AxisPositions::Zero();
   std::vector<Missed> missed_;
 };
 

@@ -181,44 +181,10 @@ MaybeFailure past_corner(Control& control, const PathBlock& block) {
   return failure;
 }
 
-}  // namespace
-
-OffsetPlane offset_plane(const Control& control) {
-  const Plane plane = control.modal.plane();
-  return {plane.first, plane.second};
-}
-
-MaybeFailure travel(Control& control, const PathBlock& block) {
-  control.stopped_skip.reset();
-  CutterStage& cutter = control.cutter;
-  cutter.fed = true;
-  const bool has_corner = cutter.corners.holds() || cutter.wish.kind != CornerWish::Kind::Sharp;
-  if (!has_corner && !cutter.compensation.engaged()) {
-    return to_machine(control, block, offset_plane(control));
-  }
-  PathBlock waiting = block;
-  waiting.calls = control.outlet.calls_now();
-  return has_corner ? past_corner(control, waiting) : compensate(control, waiting, cutter.command);
-}
-
-MaybeFailure pause(Control& control, double seconds) {
-  CutterStage& cutter = control.cutter;
-  const Pause pause{seconds, control.block};
-  cutter.fed = true;
-  if (cutter.corners.holds()) {
-    cutter.behind_corner.emplace_back(pause);
-    return std::nullopt;
-  }
-  return compensate_pause(control, pause, cutter.command);
-}
-
-MaybeFailure read_compensation(Control& control, const NcBlock& block) {
+/// What G40, G41 and G42 of a block, or of one before it, command.
+MaybeFailure command_compensation(Control& control, const NcBlock& block) {
   const int code = control.modal.group[Group::CutterCompensation].whole;
   CutterStage& cutter = control.cutter;
-  cutter.fed = false;
-  if (code == 40 && !cutter.compensation.engaged()) {
-    return std::nullopt;
-  }
   if (needs_cancel(control, block)) {
     return code == 40 ? leave(control) : refusal(block);
   }
@@ -254,6 +220,45 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
     cutter.compensation.engage(control.path_position(), command.plane);
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+OffsetPlane offset_plane(const Control& control) {
+  const Plane plane = control.modal.plane();
+  return {plane.first, plane.second};
+}
+
+MaybeFailure travel(Control& control, const PathBlock& block) {
+  control.stopped_skip.reset();
+  CutterStage& cutter = control.cutter;
+  cutter.fed = true;
+  const bool has_corner = cutter.corners.holds() || cutter.wish.kind != CornerWish::Kind::Sharp;
+  if (!has_corner && !cutter.compensation.engaged()) {
+    return to_machine(control, block, offset_plane(control));
+  }
+  PathBlock waiting = block;
+  waiting.calls = control.outlet.calls_now();
+  return has_corner ? past_corner(control, waiting) : compensate(control, waiting, cutter.command);
+}
+
+MaybeFailure pause(Control& control, double seconds) {
+  CutterStage& cutter = control.cutter;
+  const Pause pause{seconds, control.block};
+  cutter.fed = true;
+  if (cutter.corners.holds()) {
+    cutter.behind_corner.emplace_back(pause);
+    return std::nullopt;
+  }
+  return compensate_pause(control, pause, cutter.command);
+}
+
+MaybeFailure read_compensation(Control& control, const NcBlock& block) {
+  CutterStage& cutter = control.cutter;
+  cutter.fed = false;
+  const bool is_off = control.modal.group[Group::CutterCompensation].whole == 40;
+  return is_off && !cutter.compensation.engaged() ? std::nullopt
+                                                  : command_compensation(control, block);
 }
 
 MaybeFailure end_compensated_block(Control& control) {

@@ -184,8 +184,8 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
     return from_fault(outcome.error());
   }
   note_outcome(control, block, outcome.value());
-  runtime::TouchEvent event =
-      runtime::touch_event(move.way, outcome.value(), control.port.position());
+  runtime::TouchEvent event = runtime::touch_event(
+      move.way, outcome.value(), control.last_skip.q_M_from, control.port.position());
   event.block = name_of(block.code->action);
   event.where = block.where;
   if (event.triggered) {

@@ -205,11 +205,11 @@ bool turns_by_direction(const Control& control, const BlockWords& words) {
          (words.has('I') || words.has('J') || words.has('K'));
 }
 
-MaybeFailure take_tool_direction(const Control& control, const NcBlock& block,
-                                 AxisPositions& q_L_end) {
-  if (control.modal.group[Group::ToolLength] != kByDirection) {
-    return std::nullopt;
-  }
+namespace {
+
+/// Of a block of G43.5.
+MaybeFailure turn_by_direction(const Control& control, const NcBlock& block,
+                               AxisPositions& q_L_end) {
   for (const char letter : {'A', 'B', 'C'}) {
     if (const EvaluatedWord* const word = block.words.find(letter)) {
       return at_word(AlarmId::NotUnderTipControl, *word,
@@ -234,6 +234,15 @@ MaybeFailure take_tool_direction(const Control& control, const NcBlock& block,
   q_L_end.tail<kRotaryAxisCount>() =
       rotary_axes(q_M.value()) - rotary_axes(control.coordinates.shift());
   return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure take_tool_direction(const Control& control, const NcBlock& block,
+                                 AxisPositions& q_L_end) {
+  return control.modal.group[Group::ToolLength] == kByDirection
+             ? turn_by_direction(control, block, q_L_end)
+             : std::nullopt;
 }
 
 }  // namespace g31::fanuc

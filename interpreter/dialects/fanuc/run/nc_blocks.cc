@@ -83,10 +83,13 @@ MaybeFailure NcBlocks::end_of_call(source::Location where) {
     return failure;
   }
   control_.touches.missed.moves();
-  if (auto failure = skip_check(where)) {
+  if (!running_.words().has('M')) {
+    return std::nullopt;
+  }
+  if (auto failure = control_.profile.checks_skip_signal ? skip_check(where) : std::nullopt) {
     return failure;
   }
-  return running_.words().has('M') ? program_codes(where) : std::nullopt;
+  return program_codes(where);
 }
 
 /// M codes that stop or end the program, and M109: each one of the block.
@@ -113,9 +116,6 @@ MaybeFailure NcBlocks::skip_check(source::Location where) {
   const auto is_here = [&](const std::optional<source::Location>& skip) {
     return skip && skip->file == where.file && skip->begin == where.begin;
   };
-  if (!control_.profile.checks_skip_signal) {
-    return std::nullopt;
-  }
   for (const EvaluatedWord& word : running_.words().all()) {
     if (word.letter == 'M' && word.number == kMustBeMissing) {
       if (is_here(control_.stopped_skip)) {

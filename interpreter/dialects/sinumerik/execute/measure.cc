@@ -196,7 +196,7 @@ Result<bool, Failure> measure_along(Channel& channel, const Block& block,
                                                                  : AlarmId::ProbeNotDeflected);
   }
   runtime::TouchEvent event =
-      runtime::touch_event(move.way, outcome.value(), channel.port.position());
+      runtime::touch_event(move.way, outcome.value(), q_M_from, channel.port.position());
   move_followers(channel, channel.port.position() - q_M_from);
   event.block = "MEAS";
   event.where = block.where;
