@@ -1,6 +1,7 @@
 #include "interpreter/analysis/fanuc_words.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -41,6 +42,10 @@ bool is_macro_call(const EvaluatedWord& word) {
   return is_g(word, 65.0) || is_g(word, 66.0);
 }
 
+bool is_return(const Word& word) {
+  return word.letter == 'M' && fanuc::is_integer(word) && fanuc::nearest_integer(word.number) == 99;
+}
+
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
   const GCode* const code = fanuc::find_g_code(word.number, profile);
   const bool is_known = code != nullptr;
@@ -72,7 +77,7 @@ class JudgedBlock {
  public:
   JudgedBlock(Words words, syntax::ShortSpan whole, const fanuc::Profile& profile,
               const WordReading& reading)
-      : profile_(profile), reading_(reading), whole_(whole), words_(words) {
+      : profile_(profile), reading_(reading), whole_(whole), given_(words), words_(words) {
     for (const EvaluatedWord& word : words_.words().all()) {
       codes_.is_open |=
           word.letter == 'G' && reading.calling_codes.contains(fanuc::nearest_integer(word.number));
@@ -88,6 +93,7 @@ class JudgedBlock {
  private:
   [[nodiscard]] Use use() const;
   [[nodiscard]] Use use_by_m(const EvaluatedWord& word) const;
+  [[nodiscard]] std::vector<Word> without_return() const;
   [[nodiscard]] WrongWord call(Use use) const;
   [[nodiscard]] WrongWord argument_letters() const;
   [[nodiscard]] WrongWord plain_words(char left_out) const;
@@ -100,6 +106,7 @@ class JudgedBlock {
   const fanuc::Profile& profile_;
   const WordReading& reading_;
   syntax::ShortSpan whole_;
+  Words given_;
   KnownWords words_;
   CodesOfBlock codes_;
 };
@@ -109,9 +116,12 @@ Use JudgedBlock::use_by_m(const EvaluatedWord& word) const {
   if (!fanuc::is_integer(word)) {
     return Use::Block;
   }
+  if (is_return(word)) {
+    return Use::Return;
+  }
   const int code = fanuc::nearest_integer(word.number);
-  if (code == 98 || code == 99) {
-    return code == 98 ? Use::Subprogram : Use::Return;
+  if (code == 98) {
+    return Use::Subprogram;
   }
   const bool is_local = profile_.has_local_calls && (code == 96 || code == 97);
   const bool is_end = code == 2 || code == 30;
@@ -128,9 +138,6 @@ Use JudgedBlock::use() const {
     if (is_macro_call(word)) {
       return Use::MacroCall;
     }
-    if (is_g(word, 67.0)) {
-      return Use::Unknown;  // what else stands in its block a run judges
-    }
     const Use use = word.letter == 'M' ? use_by_m(word) : Use::Block;
     if (use != Use::Block) {
       return use;
@@ -139,13 +146,25 @@ Use JudgedBlock::use() const {
   return Use::Block;
 }
 
+/// What takes effect before M99 of the block does: P and L are its own.
+std::vector<Word> JudgedBlock::without_return() const {
+  std::vector<Word> others;
+  std::ranges::copy_if(given_, std::back_inserter(others), [](const Word& word) {
+    return word.letter != 'P' && word.letter != 'L' && !is_return(word);
+  });
+  return others;
+}
+
 WrongWord JudgedBlock::judge() const {
   const Use use = this->use();
   if (use == Use::Unknown) {
     return std::nullopt;
   }
   if (use != Use::Block) {
-    return call(use);
+    const WrongWord found = call(use);
+    return found || use != Use::Return
+               ? found
+               : JudgedBlock(without_return(), whole_, profile_, reading_).judge();
   }
   constexpr char kNothing = '/';
   for (const auto& part : {plain_words(kNothing), offsets(), corners(), compensation()}) {
@@ -169,6 +188,9 @@ bool JudgedBlock::sets_other_data() const {
 
 std::vector<LostPoint> JudgedBlock::lost_points() const {
   const Use use = this->use();
+  if (use == Use::Return) {
+    return JudgedBlock(without_return(), whole_, profile_, reading_).lost_points();
+  }
   const bool is_read = use == Use::Block || use == Use::MacroCall;
   return is_read && !codes_.has_mode && !sets_other_data()
              ? analysis::lost_points(words_.words(),

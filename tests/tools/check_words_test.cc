@@ -67,6 +67,9 @@ TEST(CheckWords, NumbersOfFanucWordsAreToldAsARunTellsThem) {
       "fanuc-16i",
       {
           {"M12.5", "1 7 ILLEGAL USE OF DECIMAL POINT: M takes an integer"},
+          {"G0 T-5 M99", "4 6 ILLEGAL USE OF MINUS SIGN: T counts from 0"},
+          {"M99 T-5", "5 6 ILLEGAL USE OF MINUS SIGN: T counts from 0"},
+          {"G67 F-9.", "5 6 ILLEGAL USE OF MINUS SIGN: a feed cannot be negative"},
           {"X1. M-5", "5 6 ILLEGAL USE OF MINUS SIGN: M counts from 0"},
           {"T-5", "1 6 ILLEGAL USE OF MINUS SIGN: T counts from 0"},
           {"T1.5 M6", "1 7 ILLEGAL USE OF DECIMAL POINT: T takes an integer"},
@@ -269,7 +272,6 @@ TEST(CheckWords, WhatMayBeRightPassesWithoutAWord) {
            "M12 S-1",
            "G65 P2 M1.5 T-1. S1.5 F-9. D1.5 H-1.",
            "G66.1 P2\nM12.5 F-9.\nG67",
-           "G67 F-9.",
            "G10 L3\nP1 L10\nT1.5 H1 D1\nG11",
            "G10 L50\nN3410 R-1\nG11",
            "G10 L10 P#1 R#2",

@@ -324,3 +324,47 @@ G40 X0
 M30
 %
 (EXPECT NO WARNING PRB328)
+
+(CASE G02 and G03 without R and without a centre go straight)
+(SOURCE MB-305)
+%
+O1
+G1 X10. F500.
+G2 X20. Y10.
+G18 G3 X30.
+M30
+%
+(EXPECT MOVE 2 G1 X20 Y10)
+(EXPECT WARNING PRB336 AT 5)
+(EXPECT MOVE 3 G1 X30 Y10)
+(EXPECT WARNING PRB336 AT 6)
+
+(CASE arcs with R or with one coordinate of the centre, and a full circle)
+%
+O1
+G1 X10. F500.
+G2 X20. Y10. R10.
+G3 X30. Y20. J10.
+G3 I5.
+M30
+%
+(EXPECT NO WARNING PRB336)
+
+(CASE an axis beside G04 neither moves nor waits)
+%
+O1
+G04 Y5.
+M30
+%
+(EXPECT WARNING PRB328 AT 3)
+
+(CASE G04 alone, with its time, or with codes)
+%
+O1
+G04
+G04 X1.
+G04 P500
+G04 X1. M8
+M30
+%
+(EXPECT NO WARNING PRB328)

@@ -94,6 +94,23 @@ M30
 %
 (EXPECT NO WARNING PRB335)
 
+(CASE G33 while the spindle stands)
+%
+O1
+S500 G33 Z-10. F1.
+M30
+%
+(EXPECT WARNING PRB335 AT 3)
+
+(CASE G33 while the spindle turns)
+%
+O1
+S500 M3
+G33 Z-10. F1.
+M30
+%
+(EXPECT NO WARNING PRB335)
+
 (CASE G95 under dry run, whose feed is per minute)
 (SETTING dry_run = 2000.0)
 %

@@ -261,6 +261,15 @@ MaybeFailure refuse_turning_arc(const Control& control, const AxisPositions& q_L
              : std::nullopt;
 }
 
+/// Neither R nor a centre is given: an alarm, or a line (MB-305).
+MaybeFailure without_centre(Control& control, const AxisPositions& q_L_end) {
+  if (control.parameters.is_on(ParameterId::ArcNeedsRadius)) {
+    return block_failure(AlarmId::NoCircle, "neither R nor a centre is given");
+  }
+  control.warn(source::DiagnosticId::ArcWithoutCentre, control.block);
+  return straight(control, q_L_end, 1);
+}
+
 }  // namespace
 
 /// G02, G03 in the plane in force; a third axis makes a helix (MB-302 to MB-305).
@@ -272,16 +281,13 @@ MaybeFailure refuse_turning_arc(const Control& control, const AxisPositions& q_L
   const bool by_radius = block.words.has('R');
   const bool has_centre =
       block.words.has(plane.first_centre) || block.words.has(plane.second_centre);
-  if (!by_radius && !has_centre && control.parameters.is_on(ParameterId::ArcNeedsRadius)) {
-    return block_failure(AlarmId::NoCircle, "neither R nor a centre is given");
-  }
   const AxisPositions q_L_start = control.coordinates.programmed();
   const AxisPositions q_L_end = programmed_end(control, block);
   if (auto failure = refuse_turning_arc(control, q_L_end)) {
     return failure;
   }
   if (!by_radius && !has_centre) {
-    return straight(control, q_L_end, 1);
+    return without_centre(control, q_L_end);
   }
   const WorkTransform& transform = control.coordinates.transform();
   Arc arc{plane, programmed_turn(control), transform.apply(q_L_start), transform.apply(q_L_end)};

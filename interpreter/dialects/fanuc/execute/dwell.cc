@@ -1,4 +1,7 @@
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -9,6 +12,16 @@ namespace {
 
 bool counts_turns(const Control& control) {
   return control.modal.per_revolution() && control.parameters.is_on(ParameterId::DwellInTurns);
+}
+
+/// An axis other than X beside G04, which does not move and says no time.
+void tell_idle_axes(Control& control, const NcBlock& block) {
+  for (const char letter : std::string_view(kAxisLetters, kAxisCount)) {
+    if (letter != 'X' && block.words.has(letter)) {
+      control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where,
+                        fmt::format("{} beside G04, whose time is X, U or P", letter));
+    }
+  }
 }
 
 }  // namespace
@@ -25,6 +38,7 @@ Result<double, Failure> dwell_seconds(const Control& control, const EvaluatedWor
 /// G04: X or U in seconds, P in milliseconds, or as many turns of the spindle; without any of them
 /// a block that takes no time (MB-285).
 MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
+  tell_idle_axes(control, block);
   double seconds = 0.0;
   if (const EvaluatedWord* const p = block.words.find('P')) {
     const auto by_p = dwell_seconds(control, *p);

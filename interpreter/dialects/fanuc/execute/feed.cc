@@ -87,13 +87,16 @@ Failure no_speed() {
                        "G95 needs a spindle speed S, at the centre of G96 its limit G92 S, too");
 }
 
-/// Tapping turns the spindle itself, and what codes of the builder's do is not known.
+}  // namespace
+
 void tell_standing_spindle(Control& control) {
   if (control.rotation == machine::Rotation::Stopped && !control.builder_may_turn &&
       !is_tapping(control) && control.feed_switches.dry_run_mm_min <= 0.0) {
     control.warn(source::DiagnosticId::FeedWithoutTurning, control.block);
   }
 }
+
+namespace {
 
 /// G95.  @param turn_min  minutes of a turn
 Result<double, Failure> feed_by_turns(Control& control, double turn_min) {

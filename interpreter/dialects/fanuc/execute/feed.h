@@ -45,6 +45,10 @@ Result<double, Failure> feed_over(Control& control, MakeWay way) {
   return control.modal.feed_depends_on_way() ? feed_along(control, way()) : feed_in_force(control);
 }
 
+/// Tells of a feed per revolution or a lead while the spindle stands.  Tapping turns the spindle
+/// itself, and what codes of the builder's do is not known.
+void tell_standing_spindle(Control& control);
+
 /// A programmed feed as dry run and feed override change it, mm/min (MB-128, MB-268).
 double switched_feed(const Control& control, double feed_mm_min);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/execute/feed.h"
 #include "interpreter/dialects/fanuc/execute/spindle.h"
 
 namespace g31::fanuc {
@@ -26,7 +27,7 @@ double turn_over(const Control& control, const FeedWay& way) {
 }
 
 /// The feed of the way whose longest axis goes the lead in a turn.
-Result<double, Failure> thread_feed(const Control& control, const FeedWay& way) {
+Result<double, Failure> thread_feed(Control& control, const FeedWay& way) {
   const double lead = control.modal.feed;
   const bool is_inch = control.scale.unit == LengthUnit::Inch;
   const double most = is_inch ? kLongestLeadInch : kLongestLeadMm;
@@ -37,6 +38,7 @@ Result<double, Failure> thread_feed(const Control& control, const FeedWay& way) 
   if (turn <= 0.0) {
     return block_failure(AlarmId::IllegalLead, "G33 needs a spindle speed S");
   }
+  tell_standing_spindle(control);
   const Point d = linear_axes(way.q_end) - linear_axes(way.q_from);
   const double longest = d.cwiseAbs().maxCoeff();
   const double along_axis = control.to_mm(lead) / turn;

@@ -137,7 +137,8 @@ double mean_turn(const runtime::TurnTime& time, const FeedWay& way) {
   });
 }
 
-/// What codes of the builder's do to the spindle is not known.
+}  // namespace
+
 void tell_standing_spindle(Channel& channel, const Block& block) {
   const Spindle& spindle = channel.spindle;
   if (!spindle.turns() && !spindle.builder_may_turn &&
@@ -146,6 +147,8 @@ void tell_standing_spindle(Channel& channel, const Block& block) {
                          block.where);
   }
 }
+
+namespace {
 
 /// mm/min, as F, S and the way make it, without override.
 Result<double, Failure> programmed_feed(Channel& channel, const Block& block, const FeedWay& way) {

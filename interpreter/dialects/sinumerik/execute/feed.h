@@ -34,6 +34,10 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
 /// right.  A feed per revolution is told where the spindle stands.
 Result<double, Failure> feed_in_force(Channel& channel, const Block& block, const FeedWay& way);
 
+/// Tells of a feed per revolution or a lead while the spindle stands.  What codes of the builder's
+/// do to it is not known.
+void tell_standing_spindle(Channel& channel, const Block& block);
+
 /// On a helix: the feed of the machine over that of the axes of FGROUP.  Alarm 12140 where FGROUP
 /// has one axis of the plane only.
 /// @param arc_mm   length in the plane
