@@ -105,7 +105,7 @@ for (const [name, file] of [
     const page_ = file();
     if (page_ === null) return t.skip('this g31 writes no such page');
     const { page, notes, close } = await open(browser, page_);
-    for (const width of [320, 420, 700, 820, 900, 1000, 1300]) {
+    for (const width of [320, 420, 700, 820, 900, 1000, 1100, 1300]) {
       await page.setViewportSize({ width, height: 900 });
       await eventually(async () => assert.deepEqual(await page.evaluate(() => {
         const { scrollWidth, clientWidth } = document.documentElement;
@@ -118,6 +118,21 @@ for (const [name, file] of [
     await close();
   });
 }
+
+test('the numbers of a result stand in one row in a window of a laptop', async (t) => {
+  const file = planOf('narrow_plan', ['parts/library/inspection/product.step', '--stock', 'box']);
+  if (file === null) return t.skip('this g31 writes no such page');
+  const { page, close } = await open(browser, file, { width: 1280 });
+  for (const width of [1280, 1360, 1440]) {
+    await page.setViewportSize({ width, height: 900 });
+    await eventually(async () => assert.equal(await page.evaluate(() =>
+      new Set([...document.querySelectorAll('#results tbody tr:first-child td.n')].map((cell) => {
+        const { top, bottom } = cell.getBoundingClientRect();
+        return Math.round((top + bottom) / 2);
+      })).size), 1, `${width} px`));
+  }
+  await close();
+});
 
 test('a picture that is wider than its window fades out where more of it lies; the table of results fits', async (t) => {
   const file = reportBy('circle', ['evaluate', 'circle', circleRecord(), '--radius', '50', '--centre', '0,0']);
