@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -35,8 +37,14 @@ Json json_of(const runtime::ShownValue& value) {
 
 Json values_json(const runtime::NamedValues& values) {
   Json object = Json::object();
+  auto& members = object.get_ref<Json::object_t&>();
+  std::unordered_set<std::string_view> known;  // the object looks through all of its own
   for (const auto& [name, value] : values) {
-    object[name] = json_of(value);
+    if (known.insert(name).second) {
+      members.emplace_back(name, json_of(value));
+    } else {
+      object[name] = json_of(value);
+    }
   }
   return object;
 }
