@@ -828,3 +828,19 @@ M30
 %
 (EXPECT ALARM 5462 AT 5)
 (EXPECT #100 = 0)
+
+(CASE alarm: G92 beside G68.2, as in the block behind it)
+%
+O1
+G68.2 X0 Y0 Z0 I0 J10. K0 G92 X0
+M30
+%
+(EXPECT ALARM 5462 AT 3)
+
+(CASE a work offset beside G68.2 is selected before it)
+%
+O1
+G90 G54 G68.2 X0 Y0 Z0 I0 J10. K0
+M30
+%
+(EXPECT COMPLETED)

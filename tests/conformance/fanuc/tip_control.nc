@@ -363,6 +363,41 @@ M30
 (EXPECT ALARM 5421 AT 5)
 (EXPECT #100 = 0)
 
+(CASE alarm: G92 beside G43.4, as in the block behind it)
+%
+O1
+#100=0
+G43.4 H1 G92 X0
+#100=1
+M30
+%
+(EXPECT ALARM 5421 AT 4)
+(EXPECT #100 = 0)
+
+(CASE alarm: G52 beside G43.4)
+%
+O1
+G43.4 H1 G52 X1.
+M30
+%
+(EXPECT ALARM 5421 AT 3)
+
+(CASE alarm: G41 beside G43.4)
+%
+O1
+G43.4 H1 G41 D1
+M30
+%
+(EXPECT ALARM 5421 AT 3)
+
+(CASE G54 and G90 beside G43.4)
+%
+O1
+G90 G54 G43.4 H1
+M30
+%
+(EXPECT COMPLETED)
+
 (CASE alarm: G53.1 under G43.4)
 %
 O1

@@ -91,10 +91,15 @@ bool is_second_call(const EvaluatedWord& word) {
   return std::ranges::find(kCalls, word.number) != std::end(kCalls);
 }
 
+/// What leads the axes: tool centre point control, a tilted plane, or both.
+struct Leaders {
+  bool holds_tip = false;
+  bool has_plane = false;
+};
+
 /// A code that has no place in a tilted plane, or under tool centre point control.
-MaybeFailure refuse_when_led(const Control& control, const EvaluatedWord& word, const GCode& code) {
-  const Coordinates& coordinates = control.coordinates;
-  const bool holds_tip = coordinates.tip_system() != TipSystem::None;
+MaybeFailure refuse_when_led(Leaders leaders, const EvaluatedWord& word, const GCode& code) {
+  const bool holds_tip = leaders.holds_tip;
   if (holds_tip && code.action == GAction::TiltedPlane) {
     return at_word(AlarmId::TiltedPlaneNotAllowed, word,
                    fmt::format("{} under tool centre point control", to_text(code.number)));
@@ -104,10 +109,25 @@ MaybeFailure refuse_when_led(const Control& control, const EvaluatedWord& word, 
     return at_word(AlarmId::NotUnderTipControl, word,
                    fmt::format("{} under tool centre point control", to_text(code.number)));
   }
-  return coordinates.plane() && is_barred_in_plane(code.action)
+  return leaders.has_plane && is_barred_in_plane(code.action)
              ? MaybeFailure(at_word(AlarmId::NotInTiltedPlane, word,
                                     fmt::format("{} in a tilted plane", to_text(code.number))))
              : std::nullopt;
+}
+
+/// The same of codes beside the one that begins it.  A work offset is selected before a plane.
+[[gnu::cold]] MaybeFailure refuse_beside_leader(const Control& control, const BlockWords& words,
+                                                Leaders leaders) {
+  for (const EvaluatedWord& word : words.all()) {
+    const GCode* const code =
+        word.letter == 'G' ? find_g_code(word.number, control.profile) : nullptr;
+    if (code != nullptr && code->action != GAction::WorkOffset) {
+      if (auto failure = refuse_when_led(leaders, word, *code)) {
+        return failure;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 /// Without the option the code is not there: FANUC 30i operator's manual B-63944EN, alarm PS0010.
@@ -151,7 +171,9 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
     return at_word(AlarmId::ImproperGCode, word, "G254 with a work offset whose B is not 0");
   }
   if (control.coordinates.leader()) {
-    if (auto failure = refuse_when_led(control, word, *code)) {
+    const Leaders leaders{control.coordinates.tip_system() != TipSystem::None,
+                          control.coordinates.plane().has_value()};
+    if (auto failure = refuse_when_led(leaders, word, *code)) {
       return failure;
     }
   }
@@ -323,6 +345,14 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
       if (auto failure = take_g_word(control, word, codes)) {
         return *std::move(failure);
       }
+    }
+  }
+  const Leaders begun{
+      codes.tool_length != nullptr && codes.tool_length->action == GAction::TipControl,
+      codes.frame != nullptr && codes.frame->action == GAction::TiltedPlane};
+  if (begun.holds_tip || begun.has_plane) {
+    if (auto failure = refuse_beside_leader(control, words, begun)) {
+      return *std::move(failure);
     }
   }
   if (auto failure = refuse_missing_axes(control, words, codes)) {
