@@ -15,6 +15,7 @@ namespace {
 constexpr int kInverseTime = number_in_group("G93");
 constexpr int kPerMinute = number_in_group("G94");
 constexpr int kCutting = number_in_group("G96");
+constexpr int kAfterwards = number_in_group("G97");
 constexpr int kCuttingPerMinute = number_in_group("G961");
 constexpr int kPerMinuteAfterwards = number_in_group("G971");
 
@@ -64,10 +65,17 @@ FeedMeaning feed_meaning(int feed_type) {
   }
 }
 
+double limited_speed(const Channel& channel, double programmed) {
+  const int type = channel.group[Group::FeedType];
+  const bool has_limit = type == kAfterwards || type == kPerMinuteAfterwards;
+  const double limited = channel.spindle.limited(programmed);
+  return has_limit ? std::min(limited, std::max(0.0, channel.spindle.limit)) : limited;
+}
+
 double spindle_speed(const Channel& channel, double radius_mm) {
   const Spindle& spindle = channel.spindle;
   if (!cuts_at_constant_speed(channel.group[Group::FeedType])) {
-    return spindle.speed <= 0.0 ? 0.0 : spindle.limited(spindle.speed);
+    return spindle.speed <= 0.0 ? 0.0 : limited_speed(channel, spindle.speed);
   }
   const double share = spindle.override_percent / 100.0;
   return spindle.cutting_speed <= 0.0 ? 0.0 : share / turn_time(channel).at(radius_mm);
@@ -139,6 +147,24 @@ double mean_turn(const runtime::TurnTime& time, const FeedWay& way) {
 
 }  // namespace
 
+Result<double, Failure> mean_speed(const Channel& channel, const FeedWay& way) {
+  const Spindle& spindle = channel.spindle;
+  const bool cuts = cuts_at_constant_speed(channel.group[Group::FeedType]);
+  double speed = 0.0;
+  if (!cuts) {
+    speed = spindle_speed(channel, 0.0);
+  } else if (spindle.cutting_speed > 0.0) {
+    speed = spindle.override_percent / 100.0 / mean_turn(turn_time(channel), way);
+  }
+  if (speed > 0.0 && std::isfinite(speed)) {
+    return speed;
+  }
+  return failure(AlarmId::NoFeed,
+                 cuts          ? "G96 needs F and S, and LIMS at X0"
+                 : speed > 0.0 ? "G97 keeps the speed that G96 had at X0: it needs S, or LIMS"
+                               : "a feed or a lead by turns needs S");
+}
+
 void tell_standing_spindle(Channel& channel, const Block& block) {
   const Spindle& spindle = channel.spindle;
   if (!spindle.turns() && !spindle.builder_may_turn &&
@@ -168,15 +194,8 @@ Result<double, Failure> programmed_feed(Channel& channel, const Block& block, co
     return feed;
   }
   tell_standing_spindle(channel, block);
-  if (!cuts_at_constant_speed(type)) {
-    const double speed = spindle_speed(channel, 0.0);
-    return speed > 0.0 ? Result<double, Failure>(feed * speed)
-                       : failure(AlarmId::NoFeed, "G95 needs F and S");
-  }
-  const double turn =
-      channel.spindle.cutting_speed > 0.0 ? mean_turn(turn_time(channel), way) : 0.0;
-  return turn > 0.0 ? Result<double, Failure>(feed / turn)
-                    : failure(AlarmId::NoFeed, "G96 needs F and S, and LIMS at X0");
+  const auto speed = mean_speed(channel, way);
+  return speed ? Result<double, Failure>(feed * speed.value()) : speed;
 }
 
 /// G63 goes at its feed, whatever the override says (programming manual, fundamentals: G63).

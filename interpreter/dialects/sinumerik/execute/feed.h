@@ -50,6 +50,14 @@ double switched(const Channel& channel, double feed_mm_min);
 /// FA of an axis that goes alone, with its overrides, mm/min or deg/min; 0: rapid.
 double positioning_feed(const Channel& channel, int axis);
 
+/// rev/min of the master spindle with OVRA and within its limits: those of G25 and G26, and LIMS
+/// with G97, which G973 alone does without (programming manual, fundamentals).
+/// @param programmed  > 0
+double limited_speed(const Channel& channel, double programmed);
+
+/// rev/min of a way, with G96 the mean, so that its time is right
+Result<double, Failure> mean_speed(const Channel& channel, const FeedWay& way);
+
 /// rev/min at a distance from the turning centre, mm
 double spindle_speed(const Channel& channel, double radius_mm);
 

@@ -65,20 +65,23 @@ Result<double, Failure> modulo_place(const Channel& channel, int axis, const Blo
 }
 
 /// G33, G331 and G332: the lead counts along its axis, the feed along the path.
-Result<double, Failure> thread_feed(Channel& channel, const Block& block,
+Result<double, Failure> thread_feed(Channel& channel, const Block& block, const FeedWay& way,
                                     const AxisPositions& q_M_way) {
   if (channel.group[Group::Motion] == number_in_group("G33")) {  // the others turn it themselves
     tell_standing_spindle(channel, block);
   }
-  const double speed = spindle_speed(channel, 0.0);
+  const auto speed = mean_speed(channel, way);
+  if (!speed) {
+    return speed;
+  }
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& lead = block.words[kLeads[axis]];
-    if (lead.present && lead.value != 0.0 && speed > 0.0 && q_M_way[axis] != 0.0) {
-      const double along_axis = std::abs(lead.value) * channel.mm_per_length() * speed;
+    if (lead.present && lead.value != 0.0 && q_M_way[axis] != 0.0) {
+      const double along_axis = std::abs(lead.value) * channel.mm_per_length() * speed.value();
       return along_axis * q_M_way.head<3>().norm() / std::abs(q_M_way[axis]);
     }
   }
-  return failure(AlarmId::NoFeed, "a thread needs S and its lead I, J or K");
+  return failure(AlarmId::NoFeed, "a thread needs its lead I, J or K");
 }
 
 }  // namespace
@@ -260,11 +263,9 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     const AxisPositions& q_end = path.q_M_end;
     const bool has_lead = is_thread(channel.group[Group::Motion]) &&
                           block.code_of(Group::OneBlock) == nullptr;  // G63 has F
-    const auto feed =
-        has_lead
-            ? thread_feed(channel, block, q_end - q_start)
-            : feed_in_force(channel, block,
-                            feed_way(channel, block, q_W_end.value(), feed_length(q_start, q_end)));
+    const FeedWay way = feed_way(channel, block, q_W_end.value(), feed_length(q_start, q_end));
+    const auto feed = has_lead ? thread_feed(channel, block, way, q_end - q_start)
+                               : feed_in_force(channel, block, way);
     if (!feed) {
       return feed.error();
     }

@@ -72,10 +72,13 @@ MaybeFailure orient(Channel& channel, const Numbered& which, double degrees,
 /// rev/min as the control turns a spindle.
 double turning_speed(Channel& channel, const Numbered& which) {
   const bool is_master = which.number == static_cast<int>(channel.master_spindle);
-  return is_master && cuts_at_constant_speed(channel.group[Group::FeedType])
-             ? spindle_speed(channel, channel.present()[kTransverseAxis])
-         : which.spindle.speed == 0.0 ? 0.0
-                                      : which.spindle.limited(std::abs(which.spindle.speed));
+  if (is_master && cuts_at_constant_speed(channel.group[Group::FeedType])) {
+    return spindle_speed(channel, channel.present()[kTransverseAxis]);
+  }
+  const double speed = std::abs(which.spindle.speed);
+  return speed == 0.0 ? 0.0
+         : is_master  ? limited_speed(channel, speed)
+                      : which.spindle.limited(speed);
 }
 
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
@@ -86,10 +89,10 @@ void turn(Channel& channel, const Numbered& which) {
       : direction == static_cast<int>(kTurnCounterclockwise) ? machine::Rotation::Counterclockwise
                                                              : machine::Rotation::Stopped;
   const bool stops = rotation == machine::Rotation::Stopped;
-  channel.port.turn_spindle({rotation,
-                             stops ? 0.0 : turning_speed(channel, which),
-                             {},
-                             channel.port_spindle(which.number)});
+  const double speed = stops ? 0.0 : turning_speed(channel, which);
+  // At the centre of G96 without LIMS the machine has the last word, which nothing here knows.
+  channel.port.turn_spindle(
+      {rotation, std::isfinite(speed) ? speed : 0.0, {}, channel.port_spindle(which.number)});
 }
 
 /// M3, M4, M5 and M19; other codes are none of a spindle.
