@@ -66,6 +66,10 @@ class Reader {
     if (letter == 'R' && action_ == GAction::Rotation) {
       return angle;
     }
+    if (letter == 'R' &&
+        action_ == GAction::Skip) {  // how it accelerates (M700V programming manual)
+      return std::nullopt;
+    }
     if (letter == 'Q' && block_.drills) {
       constexpr double kLeastPeck = 0.1;  // without a point by custom
       return Counts{scale.counts_per_mm, scale.counts_per_inch, kLeastPeck};

@@ -226,7 +226,7 @@ WrongWord JudgedBlock::argument_letters() const {
 WrongWord JudgedBlock::plain_words(char left_out) const {
   for (const EvaluatedWord& word : words_.words().all()) {
     const bool is_distance = fanuc::is_measuring_distance(word.letter, codes_.acting, profile_);
-    if (word.letter != left_out && !is_distance && !fanuc::fits_plain_word(word)) {
+    if (word.letter != left_out && !is_distance && !fanuc::fits_plain_word(word, profile_)) {
       return KnownWords::at(fanuc::wrong_plain_word(word), word);
     }
   }

@@ -104,6 +104,7 @@ TEST(CheckPoints, AreOfLengthsAnglesTimesAndFeedsAlone) {
            {"G5.1 Q1 R5", {}},
            {"G10 L99 P1 R5", {}},
            {"G84 X1. Z-2. R1. F100. J2", {}},
+           {"G31 R1 Z-10. F100.", {}},  // of a MELDAS: whether it accelerates
            {"G81 Z-2. R1. F100. K3", {}},
            {"G81 Z-2. R1. F100.\nG91 X5. K3", {}},  // repeats of the cycle in force
            {"G18 G3 X5. K3", {"2:12: K3" + without + "0.003 (under G20 0.0003)"}},

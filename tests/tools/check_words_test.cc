@@ -326,6 +326,20 @@ TEST(CheckWords, ADwellOfAHoleWithAPointIsInSecondsOnAHaas) {
   EXPECT_NE(said_by_run(file, "fanuc-16i"), "");
 }
 
+TEST(CheckWords, AWholeNumberWithAPointIsOneWhereTheControlTakesIt) {
+  const TemporaryFolder folder;
+  const auto said = [&folder](const char* block, const std::string& control) {
+    const std::string file = folder.write("case.nc", fanuc_program(block));
+    EXPECT_EQ(said_by_check(file, control), said_by_run(file, control)) << block;
+    return said_by_run(file, control);
+  };
+  EXPECT_EQ(said("S2200. M3", "haas"), "");
+  EXPECT_EQ(said("S2200. T1. M6", "meldas"), "");
+  EXPECT_EQ(said("S2200.5", "haas"), "1 7 ILLEGAL USE OF DECIMAL POINT: S takes an integer");
+  EXPECT_EQ(said("T1.", "haas"), "1 7 ILLEGAL USE OF DECIMAL POINT: T takes an integer");
+  EXPECT_EQ(said("S2200.", "fanuc-16i"), "1 7 ILLEGAL USE OF DECIMAL POINT: S takes an integer");
+}
+
 TEST(CheckWords, ACodeOfTheMakerMayBeAMacroCall) {
   const TemporaryFolder folder;
   const std::string file = folder.write("case.nc", fanuc_program("G111 H1.5 B1."));

@@ -240,6 +240,20 @@ TEST(Budget, EndsACannedCycleInTime) {
   EXPECT_LT(passed.count(), kPatienceSeconds);
 }
 
+// M99 ends the main program of many a robot's cell.
+TEST(Budget, TellsHowOftenM99HasBegunTheMainProgramAgain) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", "O1\n#1=1\nM99\n")};
+  options.budget.blocks = 30;
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 6);
+  EXPECT_NE(output.errors.find("the limit of executed blocks is reached: M99 has begun the main "
+                               "program again, 10 times"),
+            std::string::npos)
+      << output.errors;
+}
+
 TEST(Warnings, OfOneBlockAreCounted) {
   TemporaryFolder folder;
   cli::RunOptions options;

@@ -1,5 +1,6 @@
 #include "interpreter/dialects/fanuc/code/word_limits.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,11 @@ bool is_out(int number, int least, int most) {
 
 WrongValue point_in(const EvaluatedWord& word) {
   return {AlarmId::IllegalPoint, fmt::format("{} takes an integer", word.letter)};
+}
+
+bool takes_point(const EvaluatedWord& word, const Profile& profile) {
+  return profile.whole_with_point.find(word.letter) != std::string_view::npos &&
+         word.number == std::floor(word.number);
 }
 
 WrongValue wrong_plain_word(const EvaluatedWord& word) {

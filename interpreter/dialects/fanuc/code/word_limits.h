@@ -14,18 +14,21 @@ using MaybeWrong = std::optional<WrongValue>;
 inline bool is_integer(const EvaluatedWord& word) {
   return word.form != syntax::ValueForm::Decimal;
 }
+/// Whether a whole number may have a point there, which counts for nothing.
+bool takes_point(const EvaluatedWord& word, const Profile& profile);
 /// Of one that has a point.
 WrongValue point_in(const EvaluatedWord& word);
 
 /// Whether F, M, S, T, D and H take their number, whatever they are for.
-inline bool fits_plain_word(const EvaluatedWord& word) {
+inline bool fits_plain_word(const EvaluatedWord& word, const Profile& profile) {
   switch (word.letter) {
     case 'F':
       return word.number >= 0.0;
     case 'M':
+      return is_integer(word) && nearest_integer(word.number) >= 0;
     case 'S':
     case 'T':
-      return is_integer(word) && nearest_integer(word.number) >= 0;
+      return (is_integer(word) || takes_point(word, profile)) && nearest_integer(word.number) >= 0;
     case 'D':
     case 'H':
       return is_integer(word);

@@ -210,7 +210,7 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
   const auto refused = [&word] { return at_word(wrong_plain_word(word), word); };
   switch (word.letter) {  // outside it whether a number fits would be asked by letter again
     case 'F':
-      if (!fits_plain_word(word)) {
+      if (!fits_plain_word(word, control.profile)) {
         return refused();
       }
       control.modal.feed = written_feed(control, word);
@@ -225,7 +225,7 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
     case 'S':
     case 'T':
     case 'H': {
-      if (!fits_plain_word(word)) {
+      if (!fits_plain_word(word, control.profile)) {
         return refused();
       }
       const int number = nearest_integer(word.number);

@@ -1,6 +1,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
@@ -165,6 +167,11 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
                                             : number_of(failure.id, control_.profile.alarm_numbers);
   reason.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
   reason.detail = failure.detail;
+  if (failure.status == runtime::Status::Budget && reason.detail.empty() &&
+      control_.main_restarts > 0) {
+    reason.detail =
+        fmt::format(": M99 has begun the main program again, {} times", control_.main_restarts);
+  }
   reason.remedy = row.remedy;
   reason.levels = levels_of(failure);
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));

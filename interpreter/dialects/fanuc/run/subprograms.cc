@@ -190,6 +190,7 @@ MaybeFailure Subprograms::return_from(const BlockWords& words) {
       return failure;
     }
     now.step = 0;
+    ++control_.main_restarts;
     return std::nullopt;
   }
   // The block is looked for first: where the caller has none, the alarm is this program's.

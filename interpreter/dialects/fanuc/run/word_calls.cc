@@ -102,7 +102,7 @@ Result<bool, Failure> WordCalls::call_by_address(const EvaluatedWord& word) {
   if (!may_call(CalledBy::Address)) {
     return false;
   }
-  if (!fits_plain_word(word)) {
+  if (!fits_plain_word(word, control_.profile)) {
     return at_word(wrong_plain_word(word), word);
   }
   control_.variables.set_common(call.variable, Cell(argument_value(control_, word)));

@@ -127,6 +127,7 @@ constexpr Profile meldas() {
   // M700V programming manual, fixed cycles G74 and G84, G76 and G87
   profile.has_synchronous_taps = true;
   profile.shifts_by_distances = true;
+  profile.whole_with_point = "ST";         // M700V programming manual, decimal point input
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.scale = {1e6, true, true};       // M700V programming manual, scaling
   profile.bars_origins_in_rotation = false;
@@ -168,6 +169,7 @@ constexpr Profile haas() {
   Profile profile = fanuc_16i();
   profile.name = "haas";
   profile.text = "Haas";
+  profile.whole_with_point = "S";  // as programs in use write it
   profile.cycle_repeats = 'L';
   profile.pecks_shrink = true;  // mill operator's manual 96-8000, G73 and G83
   profile.pecks_clear = true;

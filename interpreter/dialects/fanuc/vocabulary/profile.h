@@ -219,6 +219,7 @@ struct Profile {
 
   bool helix_counts_turns = false;  ///< P of G02 and G03 beside a third axis: whole turns
 
+  std::string_view whole_with_point;     ///< of S and T those that take 1000., too
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles

@@ -193,6 +193,9 @@ FurtherMotion further_motion(const Channel& channel, const Block& block) {
 }
 
 MaybeFailure move_path(Channel& channel, const Block& block) {
+  if (channel.idle_edge && has_place(block)) [[unlikely]] {
+    tell_idle_edge(channel);
+  }
   if (is_circle(channel.group[Group::Motion]) &&
       (has_place(block) || has_centre(block, channel.plane()))) {
     return move_along_circle(channel, block);

@@ -171,6 +171,15 @@ MaybeFailure take_tool_technology(Channel& channel, const Block& block) {
   return wrong;
 }
 
+void tell_idle_edge(Channel& channel) {
+  if (channel.idle_edge) {
+    channel.warnings.add(
+        channel.diagnostics, source::DiagnosticId::WordWithoutEffect, channel.idle_edge->where,
+        fmt::format("D{}, for T waits for M6 and no tool is there", channel.idle_edge->number));
+    channel.idle_edge.reset();
+  }
+}
+
 MaybeFailure select_tool(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
   if (words.has(Address::Tool)) {
@@ -190,6 +199,10 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
   if (changes) {
     channel.tool = channel.selected_tool.value_or(0);
     // A new tool comes with its first edge.
+    if (channel.idle_edge && channel.idle_edge->number != 1) {
+      tell_idle_edge(channel);
+    }
+    channel.idle_edge.reset();
     if (MaybeFailure wrong = select_edge(channel, channel.tool == 0 ? 0.0 : 1.0)) {
       return wrong;
     }
@@ -213,8 +226,7 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
       words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
   if (!wrong && words.has(Address::Edge) && channel.edge != 0 && channel.tool == 0 &&
       channel.selected_tool.value_or(0) != 0) {
-    channel.warnings.add(channel.diagnostics, source::DiagnosticId::WordWithoutEffect, block.where,
-                         fmt::format("D{}, for T waits for M6 and no tool is there", channel.edge));
+    channel.idle_edge = {channel.edge, block.where};
   }
   if (!wrong && words.has(Address::Additive)) {
     wrong = select_additive(channel, words[Address::Additive].value);

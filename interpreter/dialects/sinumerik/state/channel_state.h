@@ -96,6 +96,14 @@ struct ChannelState {
   // Tools
   std::map<int, Tool> tools;
   std::optional<int> selected_tool;  ///< the last T; none before the first
+  /// A D without a tool while T waits for M6, until the tool comes or the path goes on.
+  struct IdleEdge {
+    int number = 0;
+    source::Location where;
+
+    bool operator==(const IdleEdge&) const = default;
+  };
+  std::optional<IdleEdge> idle_edge;
   int tool = 0;
   int edge = 0;
   int additive = 0;                         ///< DL
