@@ -119,6 +119,7 @@ struct Block {
   bool goes_on = false;        ///< Nc: what the next one holds stands behind its words
   bool is_plain = false;       ///< Nc: its words are letters and written numbers, without `/`
   std::uint8_t digits = 0;     ///< of plain words: a bound, no number has more of them
+  bool begins_loop = false;    ///< Bad: it was to be While or Do
   std::uint32_t letters = 0;   ///< of plain words: a bit for each address, A is the lowest
   std::int32_t sequence = -1;  ///< N number, -1: none
   std::int32_t number = 0;

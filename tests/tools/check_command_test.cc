@@ -96,6 +96,15 @@ TEST(Check, ABadBeginningOfALoopIsToldOnce) {
   EXPECT_TRUE(found[0].starts_with("case.mpf:2:12:"));
   EXPECT_TRUE(found[1].starts_with("case.mpf:3:4:"));
   EXPECT_TRUE(found[2].starts_with("case.mpf:5:4:"));
+  const CheckOutput of_fanuc = checked_files({folder.write(
+      "case.nc",
+      "O1\nWHILE[#1LT3]DO1 #1=#1+1\nWHILE[#1 LT]DO2\nDO3 X1\nEND3\nEND2\nEND1\nEND1\nM30\n")});
+  const auto others = places(of_fanuc.text, folder);
+  ASSERT_EQ(others.size(), 4U) << of_fanuc.text;
+  EXPECT_TRUE(others[0].starts_with("case.nc:2:17: error: alarm 127,"));
+  EXPECT_TRUE(others[1].starts_with("case.nc:3:12: error: alarm 114,"));
+  EXPECT_TRUE(others[2].starts_with("case.nc:4:5: error: alarm 127,"));
+  EXPECT_TRUE(others[3].starts_with("case.nc:8:1: warning: alarm 124,"));
 }
 
 TEST(Check, ArgumentsAreHeldAgainstTheProcOfTheProgramCalled) {

@@ -242,6 +242,7 @@ void Compiler::judge_loop(Step& step, std::size_t depth) {
 }
 
 void Compiler::link_loops() {
+  constexpr std::int32_t kAnyNumber = -1;
   struct Loop {
     Index step;
     std::int32_t number;
@@ -249,7 +250,10 @@ void Compiler::link_loops() {
   std::vector<Loop> open;
   for (Index i = 0; i < out_.steps.size(); ++i) {
     Step& step = out_.steps[i];
-    if (step.kind == BlockKind::While || step.kind == BlockKind::Do) {
+    if (tree_.blocks[step.block].begins_loop) {  // and has told what is wrong with it
+      open.push_back({i, kAnyNumber});
+      out_.loops.open(static_cast<std::int32_t>(i));
+    } else if (step.kind == BlockKind::While || step.kind == BlockKind::Do) {
       const bool is_open = std::ranges::find(open, step.number, &Loop::number) != open.end();
       open.push_back({i, step.number});
       out_.loops.open(static_cast<std::int32_t>(i));
@@ -260,7 +264,7 @@ void Compiler::link_loops() {
         judge_loop(step, open.size());
       }
     } else if (step.kind == BlockKind::End) {
-      if (open.empty() || open.back().number != step.number) {
+      if (open.empty() || (open.back().number != step.number && open.back().number != kAnyNumber)) {
         const AlarmId id = open.empty() ? AlarmId::DoMissing : AlarmId::EndMissing;
         mark_bad(
             step, id, tree_.blocks[step.block].span,
@@ -276,7 +280,9 @@ void Compiler::link_loops() {
   out_.loops.finish();
   for (const Loop& loop : open) {
     Step& step = out_.steps[loop.step];
-    mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span, "this DO has no END");
+    if (loop.number != kAnyNumber) {
+      mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span, "this DO has no END");
+    }
   }
 }
 

@@ -23,7 +23,7 @@ std::optional<std::size_t> line_of(std::string_view text, std::size_t place) {
 
 bool is_loop(const syntax::Block& block) {
   return block.kind == BlockKind::While || block.kind == BlockKind::Do ||
-         block.kind == BlockKind::End;
+         block.kind == BlockKind::End || block.begins_loop;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void Parser::keyword(Block& block) {
         fmt::format("{} is neither a statement of Custom Macro B nor words", name));
   }
   if (!failed()) {
-    expect_end(block);
+    expect_end();
   }
 }
 
@@ -75,7 +75,7 @@ void Parser::punched_variable(Block& block) {
     return;
   }
   number.span.end = scanner_.position();
-  expect_end(block);
+  expect_end();
   const ShortSpan comment = scanner_.last_comment();
   const std::string_view digits =
       scanner_.text().substr(comment.begin, comment.end - comment.begin);
@@ -141,7 +141,7 @@ void Parser::output_statement(Block& block, OutputStatement statement) {
   block.kind = BlockKind::Output;
   block.number = static_cast<std::int32_t>(statement);
   if (info(statement).has_format == HasFormat::No) {
-    expect_end(block);
+    expect_end();
     return;
   }
   if (scanner_.peek() != '[') {
@@ -166,7 +166,7 @@ void Parser::output_statement(Block& block, OutputStatement statement) {
     return;
   }
   scanner_.rewind(end + 1);
-  expect_end(block);
+  expect_end();
 }
 
 void Parser::jump(Block& block) {
@@ -259,6 +259,7 @@ void Parser::then_statement(Block& block) {
 }
 
 void Parser::while_statement(Block& block) {
+  block.kind = BlockKind::While;
   block.condition = condition();
   if (failed()) {
     return;
@@ -267,7 +268,6 @@ void Parser::while_statement(Block& block) {
     fail(AlarmId::StatementFormat, "DO and a loop number are expected after the condition");
     return;
   }
-  block.kind = BlockKind::While;
   block.number = loop_number();
 }
 

@@ -101,6 +101,7 @@ bool Parser::at_folder() const {
 [[gnu::hot]] void Parser::settle(Block& block, std::uint32_t begin) {
   const std::uint32_t end = scanner_.position();
   if (failed()) {
+    block.begins_loop = block.kind == BlockKind::While || block.kind == BlockKind::Do;
     block.kind = BlockKind::Bad;
     block.number = static_cast<std::int32_t>(tree_.errors.size());
     tree_.words.resize(block.first_word);
@@ -281,7 +282,7 @@ void Parser::assignment(Block& block) {
   if (!failed()) {
     scanner_.peek();
     block.text = scanner_.last_comment();
-    expect_end(block);
+    expect_end();
   }
 }
 
@@ -299,7 +300,7 @@ syntax::Index Parser::bare_message(Block& block) {
   return expressions_.add({});
 }
 
-void Parser::expect_end(Block& block) {
+void Parser::expect_end() {
   const char next = scanner_.peek();
   if (next == '\n') {
     return;
@@ -307,7 +308,6 @@ void Parser::expect_end(Block& block) {
   const bool starts_word = next >= 'A' && next <= 'Z';
   fail(starts_word || next == '#' ? AlarmId::MixedStatement : AlarmId::ExpressionFormat,
        fmt::format("the statement ends before {}{}", source::quoted(next), letter_o_hint(next)));
-  block.kind = BlockKind::Bad;
 }
 
 [[gnu::hot]] void Parser::words(Block& block) {

@@ -85,7 +85,7 @@ class Parser {
   int loop_number();
   syntax::Index condition();
   std::int32_t integer(const char* what);
-  void expect_end(syntax::Block& block);
+  void expect_end();
   void open_program(std::int32_t number, syntax::ShortSpan name);
   void close_program();
   void settle(syntax::Block& block, std::uint32_t begin);
