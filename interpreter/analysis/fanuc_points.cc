@@ -66,8 +66,7 @@ class Reader {
     if (letter == 'R' && action_ == GAction::Rotation) {
       return angle;
     }
-    if (letter == 'R' &&
-        action_ == GAction::Skip) {  // how it accelerates (M700V programming manual)
+    if (letter == 'R' && action_ == GAction::Skip && profile_.skip_takes_r) {
       return std::nullopt;
     }
     if (letter == 'Q' && block_.drills) {

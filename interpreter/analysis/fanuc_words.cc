@@ -43,7 +43,8 @@ bool is_macro_call(const EvaluatedWord& word) {
 }
 
 bool is_return(const Word& word) {
-  return word.letter == 'M' && fanuc::is_integer(word) && fanuc::nearest_integer(word.number) == 99;
+  return word.letter == 'M' && fanuc::is_integer(word) &&
+         fanuc::nearest_integer(word.number) == fanuc::kReturn;
 }
 
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
@@ -146,7 +147,7 @@ Use JudgedBlock::use() const {
   return Use::Block;
 }
 
-/// What takes effect before M99 of the block does: P and L are its own.
+/// The words beside M99, without P and L, which are its own.
 std::vector<Word> JudgedBlock::without_return() const {
   std::vector<Word> others;
   std::ranges::copy_if(given_, std::back_inserter(others), [](const Word& word) {
@@ -227,7 +228,7 @@ WrongWord JudgedBlock::plain_words(char left_out) const {
   for (const EvaluatedWord& word : words_.words().all()) {
     const bool is_distance = fanuc::is_measuring_distance(word.letter, codes_.acting, profile_);
     if (word.letter != left_out && !is_distance && !fanuc::fits_plain_word(word, profile_)) {
-      return KnownWords::at(fanuc::wrong_plain_word(word), word);
+      return KnownWords::at(fanuc::wrong_plain_word(word, profile_), word);
     }
   }
   return std::nullopt;

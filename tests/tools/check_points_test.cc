@@ -89,6 +89,12 @@ TEST(CheckPoints, CountTheIncrementsOfTheSheet) {
   EXPECT_TRUE(told_of("G1 X100 A500 Y10.", "[control]\nincrement = \"IS-A\"\n").empty());
 }
 
+TEST(CheckPoints, ROfASkipMoveIsNoLengthWhereItSaysHowItAccelerates) {
+  const std::string program = "O1\nG31 R1 Z-10. F100.\nM30\n";
+  EXPECT_TRUE(told_in(program, "", "meldas").empty());
+  EXPECT_EQ(told_in(program, "", "fanuc-16i").size(), 1U);
+}
+
 TEST(CheckPoints, AreOfLengthsAnglesTimesAndFeedsAlone) {
   struct Row {
     const char* block;
@@ -104,7 +110,7 @@ TEST(CheckPoints, AreOfLengthsAnglesTimesAndFeedsAlone) {
            {"G5.1 Q1 R5", {}},
            {"G10 L99 P1 R5", {}},
            {"G84 X1. Z-2. R1. F100. J2", {}},
-           {"G31 R1 Z-10. F100.", {}},  // of a MELDAS: whether it accelerates
+           {"G31 R5 Z-10. F100.", {"2:5: R5" + without + "0.005 (under G20 0.0005)"}},
            {"G81 Z-2. R1. F100. K3", {}},
            {"G81 Z-2. R1. F100.\nG91 X5. K3", {}},  // repeats of the cycle in force
            {"G18 G3 X5. K3", {"2:12: K3" + without + "0.003 (under G20 0.0003)"}},

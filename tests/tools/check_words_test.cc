@@ -336,6 +336,7 @@ TEST(CheckWords, AWholeNumberWithAPointIsOneWhereTheControlTakesIt) {
   EXPECT_EQ(said("S2200. M3", "haas"), "");
   EXPECT_EQ(said("S2200. T1. M6", "meldas"), "");
   EXPECT_EQ(said("S2200.5", "haas"), "1 7 ILLEGAL USE OF DECIMAL POINT: S takes an integer");
+  EXPECT_EQ(said("S-5.", "haas"), "1 6 ILLEGAL USE OF MINUS SIGN: S counts from 0");
   EXPECT_EQ(said("T1.", "haas"), "1 7 ILLEGAL USE OF DECIMAL POINT: T takes an integer");
   EXPECT_EQ(said("S2200.", "fanuc-16i"), "1 7 ILLEGAL USE OF DECIMAL POINT: S takes an integer");
 }

@@ -249,7 +249,7 @@ TEST(Budget, TellsHowOftenM99HasBegunTheMainProgramAgain) {
   const RunOutput output = run_program(options);
   EXPECT_EQ(output.exit_code, 6);
   EXPECT_NE(output.errors.find("the limit of executed blocks is reached: M99 has begun the main "
-                               "program again, 10 times"),
+                               "program again 10 times"),
             std::string::npos)
       << output.errors;
 }

@@ -844,3 +844,35 @@ G90 G54 G68.2 X0 Y0 Z0 I0 J10. K0
 M30
 %
 (EXPECT COMPLETED)
+
+(CASE alarm: G51.1 behind G68.2 in its block)
+%
+O1
+G68.2 X0 Y0 Z0 I0 J10. K0 G51.1
+M30
+%
+(EXPECT ALARM 5462 AT 3)
+
+(CASE alarm: G50.1 behind G68.2 in its block)
+%
+O1
+G68.2 X0 Y0 Z0 I0 J45. K0 G50.1 X0
+M30
+%
+(EXPECT ALARM 5462 AT 3)
+
+(CASE alarm: G51.1 before G68.2 in its block)
+%
+O1
+G51.1 X0 G68.2 Y0 Z0 I0 J45. K0
+M30
+%
+(EXPECT ALARM 5462 AT 3)
+
+(CASE G69 and G49 beside G68.2)
+%
+O1
+G49 G69 G68.2 X0 Y0 Z0 I0 J10. K0
+M30
+%
+(EXPECT COMPLETED)

@@ -390,6 +390,14 @@ M30
 %
 (EXPECT ALARM 5421 AT 3)
 
+(CASE alarm: G28 beside G43.4)
+%
+O1
+G43.4 H1 G28 Z0
+M30
+%
+(EXPECT ALARM 5421 AT 3)
+
 (CASE G54 and G90 beside G43.4)
 %
 O1

@@ -29,11 +29,11 @@ bool takes_point(const EvaluatedWord& word, const Profile& profile) {
          word.number == std::floor(word.number);
 }
 
-WrongValue wrong_plain_word(const EvaluatedWord& word) {
+WrongValue wrong_plain_word(const EvaluatedWord& word, const Profile& profile) {
   if (word.letter == 'F') {
     return {AlarmId::IllegalMinus, "a feed cannot be negative"};
   }
-  return is_integer(word)
+  return is_integer(word) || takes_point(word, profile)
              ? WrongValue{AlarmId::IllegalMinus, fmt::format("{} counts from 0", word.letter)}
              : point_in(word);
 }

@@ -9,6 +9,9 @@ namespace g31::fanuc {
 
 using MaybeWrong = std::optional<WrongValue>;
 
+inline constexpr double kCancelModal = 67.0;  ///< G67
+inline constexpr int kReturn = 99;            ///< M99
+
 /// Of a word whose value is an integer (M S T D H N O L P): a literal must have no point, a
 /// computed one is rounded (MB-025, MB-026).
 inline bool is_integer(const EvaluatedWord& word) {
@@ -37,7 +40,7 @@ inline bool fits_plain_word(const EvaluatedWord& word, const Profile& profile) {
   }
 }
 /// Of one that does not.
-[[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word);
+[[gnu::cold]] WrongValue wrong_plain_word(const EvaluatedWord& word, const Profile& profile);
 
 /// D of G37, where it is a distance and no number of an offset.
 /// @param code  that takes the block's words; null: none

@@ -37,6 +37,8 @@ void end_mode(Control& control, GAction action, Codes& codes) {
 
 /// What the rest of the block is to know of a modal code.
 void note_modal_code(const Control& control, const GCode& code, Codes& codes) {
+  codes.starts_plane = code.action == GAction::TiltedPlane ||
+                       (codes.starts_plane && code.action != GAction::RotationOff);
   if (is_frame(code.action)) {
     codes.frame = &code;
   } else if (code.action == GAction::ToolLength || code.action == GAction::TipControl) {
@@ -115,16 +117,22 @@ MaybeFailure refuse_when_led(Leaders leaders, const EvaluatedWord& word, const G
              : std::nullopt;
 }
 
-/// The same of codes beside the one that begins it.  A work offset is selected before a plane.
+/// Codes that have no place beside the one that begins to lead the axes.  A work offset is selected
+/// before a plane, whose words no other code may take.
 [[gnu::cold]] MaybeFailure refuse_beside_leader(const Control& control, const BlockWords& words,
                                                 Leaders leaders) {
   for (const EvaluatedWord& word : words.all()) {
     const GCode* const code =
         word.letter == 'G' ? find_g_code(word.number, control.profile) : nullptr;
-    if (code != nullptr && code->action != GAction::WorkOffset) {
-      if (auto failure = refuse_when_led(leaders, word, *code)) {
-        return failure;
-      }
+    if (code == nullptr || code->action == GAction::WorkOffset) {
+      continue;
+    }
+    if (auto failure = refuse_when_led(leaders, word, *code)) {
+      return failure;
+    }
+    if (leaders.has_plane && is_frame(code->action) && code->action != GAction::TiltedPlane) {
+      return at_word(AlarmId::NotInTiltedPlane, word,
+                     fmt::format("{} beside a tilted plane", to_text(code->number)));
     }
   }
   return std::nullopt;
@@ -207,7 +215,7 @@ MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int 
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
 [[gnu::hot]] MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word,
                                           Codes& codes) {
-  const auto refused = [&word] { return at_word(wrong_plain_word(word), word); };
+  const auto refused = [&] { return at_word(wrong_plain_word(word, control.profile), word); };
   switch (word.letter) {  // outside it whether a number fits would be asked by letter again
     case 'F':
       if (!fits_plain_word(word, control.profile)) {
@@ -349,7 +357,7 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
   }
   const Leaders begun{
       codes.tool_length != nullptr && codes.tool_length->action == GAction::TipControl,
-      codes.frame != nullptr && codes.frame->action == GAction::TiltedPlane};
+      codes.starts_plane};
   if (begun.holds_tip || begun.has_plane) {
     if (auto failure = refuse_beside_leader(control, words, begun)) {
       return *std::move(failure);

@@ -15,6 +15,7 @@ struct Codes {
   bool starts_surface_speed = false;  ///< G96
   bool starts_polar = false;
   bool starts_cycle = false;
+  bool starts_plane = false;              ///< a tilted one
   const GCode* contour_switch = nullptr;  ///< by Q, G08 by P
 };
 

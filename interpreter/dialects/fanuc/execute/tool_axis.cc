@@ -207,7 +207,6 @@ bool turns_by_direction(const Control& control, const BlockWords& words) {
 
 namespace {
 
-/// Of a block of G43.5.
 MaybeFailure turn_by_direction(const Control& control, const NcBlock& block,
                                AxisPositions& q_L_end) {
   for (const char letter : {'A', 'B', 'C'}) {

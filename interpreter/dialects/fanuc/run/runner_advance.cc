@@ -167,10 +167,12 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
                                             : number_of(failure.id, control_.profile.alarm_numbers);
   reason.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
   reason.detail = failure.detail;
-  if (failure.status == runtime::Status::Budget && reason.detail.empty() &&
-      control_.main_restarts > 0) {
+  const bool may_loop =
+      failure.alarm_number == static_cast<int>(source::DiagnosticId::BudgetBlocks) ||
+      failure.alarm_number == static_cast<int>(source::DiagnosticId::BudgetTime);
+  if (may_loop && reason.detail.empty() && control_.main_restarts > 1) {
     reason.detail =
-        fmt::format(": M99 has begun the main program again, {} times", control_.main_restarts);
+        fmt::format(": M99 has begun the main program again {} times", control_.main_restarts);
   }
   reason.remedy = row.remedy;
   reason.levels = levels_of(failure);

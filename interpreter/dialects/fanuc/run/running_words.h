@@ -12,9 +12,6 @@
 
 namespace g31::fanuc {
 
-inline constexpr double kCancelModal = 67.0;  ///< G67
-inline constexpr int kReturn = 99;            ///< M99
-
 /// The words of the running NC block, worked out.
 class RunningWords {
  public:

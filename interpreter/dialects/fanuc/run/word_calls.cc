@@ -103,7 +103,7 @@ Result<bool, Failure> WordCalls::call_by_address(const EvaluatedWord& word) {
     return false;
   }
   if (!fits_plain_word(word, control_.profile)) {
-    return at_word(wrong_plain_word(word), word);
+    return at_word(wrong_plain_word(word, control_.profile), word);
   }
   control_.variables.set_common(call.variable, Cell(argument_value(control_, word)));
   return has_called(subprograms_.call_by_code(word, call.program));

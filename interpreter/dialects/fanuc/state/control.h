@@ -53,6 +53,7 @@ struct Control : ControlState {
   std::vector<runtime::SensorWord> sensor_words;
   std::string controlled_axes = kAxisLetters;  ///< #5001 is of the first, #5002 of the second
   runtime::BlockWatch watch{runtime::Budget{}};
+  std::uint64_t main_restarts = 0;  ///< how often M99 without P has begun the main program again
   /// A value is looked at from outside the program: no report comes of it, and no time passes.
   [[nodiscard]] bool is_inspected() const { return touches.is_inspected(); }
 

@@ -136,8 +136,7 @@ struct ControlState {
   Variables variables;
   runtime::TouchReports touches;  ///< of G31
   Modal modal;
-  int main_program = 0;             ///< its number
-  std::uint64_t main_restarts = 0;  ///< how often M99 has begun it again
+  int main_program = 0;  ///< its number
   Coordinates coordinates;
   CutterStage cutter;
   OffsetTable offsets;

@@ -127,6 +127,7 @@ constexpr Profile meldas() {
   // M700V programming manual, fixed cycles G74 and G84, G76 and G87
   profile.has_synchronous_taps = true;
   profile.shifts_by_distances = true;
+  profile.skip_takes_r = true;             // M700V programming manual, skip function
   profile.whole_with_point = "ST";         // M700V programming manual, decimal point input
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.scale = {1e6, true, true};       // M700V programming manual, scaling

@@ -219,7 +219,7 @@ struct Profile {
 
   bool helix_counts_turns = false;  ///< P of G02 and G03 beside a third axis: whole turns
 
-  std::string_view whole_with_point;     ///< of S and T those that take 1000., too
+  std::string_view whole_with_point;  ///< letters of S and T whose whole numbers may have a point
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles
@@ -254,6 +254,7 @@ struct Profile {
   ToolMeasurement tool_measurement = ToolMeasurement::NearPosition;
   SkipSelection skip_selection = SkipSelection::Parameters;
   SkipFeed skip_feed = SkipFeed::Modal;
+  bool skip_takes_r = false;  ///< R of G31: whether the move accelerates and brakes
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
 
   /// Of the settings that give the centre of rotation X Y Z of the table (MRZP) the first; 0: none.

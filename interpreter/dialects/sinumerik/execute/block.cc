@@ -17,7 +17,10 @@ void change_feed_type(Channel& channel, int before) {
   }
   if (cuts_at_constant_speed(before) && !cuts_at_constant_speed(channel.group[Group::FeedType])) {
     const int now = std::exchange(channel.group[Group::FeedType], before);
+    // OVRA counts for what is kept, too, so it is kept without.
+    const double override_percent = std::exchange(channel.spindle.override_percent, 100.0);
     channel.spindle.speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
+    channel.spindle.override_percent = override_percent;
     channel.group[Group::FeedType] = now;
   }
 }
@@ -193,9 +196,6 @@ FurtherMotion further_motion(const Channel& channel, const Block& block) {
 }
 
 MaybeFailure move_path(Channel& channel, const Block& block) {
-  if (channel.idle_edge && has_place(block)) [[unlikely]] {
-    tell_idle_edge(channel);
-  }
   if (is_circle(channel.group[Group::Motion]) &&
       (has_place(block) || has_centre(block, channel.plane()))) {
     return move_along_circle(channel, block);
@@ -228,9 +228,22 @@ MaybeFailure wrong_beside_dwell(const Block& block, const GCode* special) {
              : std::nullopt;
 }
 
+/// @param special  the block's special_code()
+bool moves_axes(const Channel& channel, const Block& block, const GCode* special) {
+  if (special != nullptr) {
+    return special->action == GAction::Reference || special->action == GAction::FixedPoint ||
+           block.words.has_positioning;
+  }
+  return has_place(block) || block.words.has_positioning || listens_to_probe(channel, block) ||
+         (is_circle(channel.group[Group::Motion]) && has_centre(block, channel.plane()));
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
   double further_s = 0.0;
   const GCode* const special = special_code(block);
+  if (channel.idle_edge && moves_axes(channel, block, special)) [[unlikely]] {
+    tell_idle_edge(channel);
+  }
   if (MaybeFailure wrong = wrong_beside_dwell(block, special)) {
     return wrong;
   }

@@ -52,7 +52,7 @@ void tell_spindle(Channel& channel);
 MaybeFailure select_tool(Channel& channel, const Block& block);
 /// FZ and SVC, by the tool in force.
 MaybeFailure take_tool_technology(Channel& channel, const Block& block);
-/// Tells of a D that had no tool when the axes move, or when the tool has come with another one.
+/// Tells of a D without a tool: when the axes move, and when its tool comes with another D.
 void tell_idle_edge(Channel& channel);
 /// MOVT: along the tool as it stands.
 MaybeFailure take_tool_way(const Channel& channel, const Block& block, AxisPositions& q_W_end);

@@ -23,11 +23,16 @@ constexpr int kPerMinuteAfterwards = number_in_group("G971");
 constexpr double kLeastFeed = 1e-9;
 constexpr double kMostFeed = 1e12;
 
-/// Of G96.
+/// Of G96, with OVRA.
 runtime::TurnTime turn_time(const Channel& channel) {
   const Spindle& spindle = channel.spindle;
-  return {spindle.cutting_speed * kMmPerMetre, spindle.lowest,
-          std::min(spindle.highest, spindle.limit)};
+  return {spindle.cutting_speed * kMmPerMetre * spindle.override_percent / 100.0, spindle.lowest,
+          std::min(spindle.highest, std::max(0.0, spindle.limit))};
+}
+
+/// Whether it turns under G96.
+bool cuts(const Spindle& spindle) {
+  return spindle.cutting_speed > 0.0 && spindle.override_percent > 0.0;
 }
 
 /// On a straight way: the feed of the machine, which is that of the linear axes, or of rotary ones
@@ -77,8 +82,8 @@ double spindle_speed(const Channel& channel, double radius_mm) {
   if (!cuts_at_constant_speed(channel.group[Group::FeedType])) {
     return spindle.speed <= 0.0 ? 0.0 : limited_speed(channel, spindle.speed);
   }
-  const double share = spindle.override_percent / 100.0;
-  return spindle.cutting_speed <= 0.0 ? 0.0 : share / turn_time(channel).at(radius_mm);
+  const double speed = cuts(spindle) ? 1.0 / turn_time(channel).at(radius_mm) : 0.0;
+  return std::isfinite(speed) ? speed : 0.0;
 }
 
 double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
@@ -148,27 +153,20 @@ double mean_turn(const runtime::TurnTime& time, const FeedWay& way) {
 }  // namespace
 
 Result<double, Failure> mean_speed(const Channel& channel, const FeedWay& way) {
-  const Spindle& spindle = channel.spindle;
-  const bool cuts = cuts_at_constant_speed(channel.group[Group::FeedType]);
-  double speed = 0.0;
-  if (!cuts) {
-    speed = spindle_speed(channel, 0.0);
-  } else if (spindle.cutting_speed > 0.0) {
-    speed = spindle.override_percent / 100.0 / mean_turn(turn_time(channel), way);
+  if (!cuts_at_constant_speed(channel.group[Group::FeedType])) {
+    const double speed = spindle_speed(channel, 0.0);
+    return speed > 0.0 ? Result<double, Failure>(speed)
+                       : failure(AlarmId::NoFeed, "the spindle needs S, with G97 a LIMS above 0");
   }
-  if (speed > 0.0 && std::isfinite(speed)) {
-    return speed;
-  }
-  return failure(AlarmId::NoFeed,
-                 cuts          ? "G96 needs F and S, and LIMS at X0"
-                 : speed > 0.0 ? "G97 keeps the speed that G96 had at X0: it needs S, or LIMS"
-                               : "a feed or a lead by turns needs S");
+  const double speed = cuts(channel.spindle) ? 1.0 / mean_turn(turn_time(channel), way) : 0.0;
+  return speed > 0.0 && std::isfinite(speed)
+             ? Result<double, Failure>(speed)
+             : failure(AlarmId::NoFeed, "G96 needs F and S, and a LIMS above 0 at X0");
 }
 
 void tell_standing_spindle(Channel& channel, const Block& block) {
   const Spindle& spindle = channel.spindle;
-  if (!spindle.turns() && !spindle.builder_may_turn &&
-      channel.feed_switches.dry_run_mm_min <= 0.0) {
+  if (!spindle.turns() && !spindle.builder_may_turn) {
     channel.warnings.add(channel.diagnostics, source::DiagnosticId::FeedWithoutTurning,
                          block.where);
   }
@@ -193,8 +191,10 @@ Result<double, Failure> programmed_feed(Channel& channel, const Block& block, co
   if (feed_meaning(type) == FeedMeaning::PerMinute) {
     return feed;
   }
-  tell_standing_spindle(channel, block);
   const auto speed = mean_speed(channel, way);
+  if (speed && channel.feed_switches.dry_run_mm_min <= 0.0) {
+    tell_standing_spindle(channel, block);
+  }
   return speed ? Result<double, Failure>(feed * speed.value()) : speed;
 }
 

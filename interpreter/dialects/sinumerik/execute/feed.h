@@ -51,14 +51,14 @@ double switched(const Channel& channel, double feed_mm_min);
 double positioning_feed(const Channel& channel, int axis);
 
 /// rev/min of the master spindle with OVRA and within its limits: those of G25 and G26, and LIMS
-/// with G97, which G973 alone does without (programming manual, fundamentals).
+/// under G97 and G971 (programming manual, fundamentals: G973 is G97 without LIMS).
 /// @param programmed  > 0
 double limited_speed(const Channel& channel, double programmed);
 
 /// rev/min of a way, with G96 the mean, so that its time is right
 Result<double, Failure> mean_speed(const Channel& channel, const FeedWay& way);
 
-/// rev/min at a distance from the turning centre, mm
+/// rev/min at a distance from the turning centre, mm; 0 where G96 has no limit at X0
 double spindle_speed(const Channel& channel, double radius_mm);
 
 /// G96 or G961: S is a cutting speed.

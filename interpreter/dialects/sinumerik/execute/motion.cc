@@ -67,12 +67,12 @@ Result<double, Failure> modulo_place(const Channel& channel, int axis, const Blo
 /// G33, G331 and G332: the lead counts along its axis, the feed along the path.
 Result<double, Failure> thread_feed(Channel& channel, const Block& block, const FeedWay& way,
                                     const AxisPositions& q_M_way) {
-  if (channel.group[Group::Motion] == number_in_group("G33")) {  // the others turn it themselves
-    tell_standing_spindle(channel, block);
-  }
   const auto speed = mean_speed(channel, way);
   if (!speed) {
     return speed;
+  }
+  if (channel.group[Group::Motion] == number_in_group("G33")) {  // the others turn it themselves
+    tell_standing_spindle(channel, block);
   }
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& lead = block.words[kLeads[axis]];

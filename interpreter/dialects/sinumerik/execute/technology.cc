@@ -89,10 +89,10 @@ void turn(Channel& channel, const Numbered& which) {
       : direction == static_cast<int>(kTurnCounterclockwise) ? machine::Rotation::Counterclockwise
                                                              : machine::Rotation::Stopped;
   const bool stops = rotation == machine::Rotation::Stopped;
-  const double speed = stops ? 0.0 : turning_speed(channel, which);
-  // At the centre of G96 without LIMS the machine has the last word, which nothing here knows.
-  channel.port.turn_spindle(
-      {rotation, std::isfinite(speed) ? speed : 0.0, {}, channel.port_spindle(which.number)});
+  channel.port.turn_spindle({rotation,
+                             stops ? 0.0 : turning_speed(channel, which),
+                             {},
+                             channel.port_spindle(which.number)});
 }
 
 /// M3, M4, M5 and M19; other codes are none of a spindle.

@@ -180,6 +180,15 @@ void tell_idle_edge(Channel& channel) {
   }
 }
 
+/// D of a block waits for its tool with T; D0, T0 and another T end that.
+void note_idle_edge(Channel& channel, const Block& block) {
+  const bool waits = channel.tool == 0 && channel.selected_tool.value_or(0) != 0;
+  channel.idle_edge.reset();
+  if (waits && channel.edge != 0 && block.words.has(Address::Edge)) {
+    channel.idle_edge = {channel.edge, block.where};
+  }
+}
+
 MaybeFailure select_tool(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
   if (words.has(Address::Tool)) {
@@ -224,9 +233,8 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
   }
   MaybeFailure wrong =
       words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
-  if (!wrong && words.has(Address::Edge) && channel.edge != 0 && channel.tool == 0 &&
-      channel.selected_tool.value_or(0) != 0) {
-    channel.idle_edge = {channel.edge, block.where};
+  if (!wrong && (words.has(Address::Edge) || words.has(Address::Tool))) {
+    note_idle_edge(channel, block);
   }
   if (!wrong && words.has(Address::Additive)) {
     wrong = select_additive(channel, words[Address::Additive].value);
