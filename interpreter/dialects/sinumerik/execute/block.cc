@@ -17,10 +17,7 @@ void change_feed_type(Channel& channel, int before) {
   }
   if (cuts_at_constant_speed(before) && !cuts_at_constant_speed(channel.group[Group::FeedType])) {
     const int now = std::exchange(channel.group[Group::FeedType], before);
-    // OVRA counts for what is kept, too, so it is kept without.
-    const double override_percent = std::exchange(channel.spindle.override_percent, 100.0);
-    channel.spindle.speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
-    channel.spindle.override_percent = override_percent;
+    channel.spindle.speed = kept_speed(channel);
     channel.group[Group::FeedType] = now;
   }
 }

@@ -48,6 +48,9 @@ void drop_motion(Channel& channel);
 MaybeFailure take_technology(Channel& channel, const Block& block);
 /// The machine hears how fast the master spindle turns, if it does.
 void tell_spindle(Channel& channel);
+/// SETMS.  Under G96 the new master spindle cuts at its speed, and the old one keeps the speed that
+/// it has (840D sl function manual V1, 2.1.3).
+void change_master(Channel& channel, int number);
 /// T, D and M6.
 MaybeFailure select_tool(Channel& channel, const Block& block);
 /// FZ and SVC, by the tool in force.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -57,6 +58,11 @@ bool cuts_at_constant_speed(int feed_type) {
   return feed_type == kCutting || feed_type == kCuttingPerMinute;
 }
 
+double metres_of_cutting(const Channel& channel) {
+  constexpr double kMetresPerFoot = 0.3048;
+  return channel.mm_per_length() == 1.0 ? 1.0 : kMetresPerFoot;
+}
+
 FeedMeaning feed_meaning(int feed_type) {
   switch (feed_type) {
     case kInverseTime:
@@ -84,6 +90,13 @@ double spindle_speed(const Channel& channel, double radius_mm) {
   }
   const double speed = cuts(spindle) ? 1.0 / turn_time(channel).at(radius_mm) : 0.0;
   return std::isfinite(speed) ? speed : 0.0;
+}
+
+double kept_speed(Channel& channel) {
+  const double override_percent = std::exchange(channel.spindle.override_percent, 100.0);
+  const double speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
+  channel.spindle.override_percent = override_percent;
+  return speed;
 }
 
 double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {

@@ -61,6 +61,13 @@ Result<double, Failure> mean_speed(const Channel& channel, const FeedWay& way);
 /// rev/min at a distance from the turning centre, mm; 0 where G96 has no limit at X0
 double spindle_speed(const Channel& channel, double radius_mm);
 
+/// rev/min that the master spindle keeps where it leaves G96: without OVRA, which counts for it,
+/// too
+double kept_speed(Channel& channel);
+
+/// What S of G96 counts, m: feet with G70 and G700 (programming manual, fundamentals: G96).
+double metres_of_cutting(const Channel& channel);
+
 /// G96 or G961: S is a cutting speed.
 bool cuts_at_constant_speed(int feed_type);
 

@@ -27,9 +27,16 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
       channel.working_area.is_set = true;
     }
   }
+  const auto take_speed = [is_lower](Spindle& spindle, double speed) {
+    (is_lower ? spindle.lowest : spindle.highest) = speed;
+  };
   if (block.words.has(Address::Speed)) {
-    (is_lower ? channel.spindle.lowest : channel.spindle.highest) =
-        block.words[Address::Speed].value;
+    take_speed(channel.spindle, block.words[Address::Speed].value);
+  }
+  for (const BlockWords::SpindleWord& word : block.words.spindle_words) {
+    if (word.address == Address::Speed) {
+      take_speed(channel.other_spindles[word.spindle], word.value);
+    }
   }
   return std::nullopt;
 }

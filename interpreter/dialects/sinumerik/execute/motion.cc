@@ -279,24 +279,36 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
                               : travel_to(channel, path, q_W_end.value());
 }
 
+/// G4 S: so many turns.  @param speed  rev/min
+Result<double, Failure> seconds_of_turns(double turns, double speed) {
+  return speed > 0.0 ? Result<double, Failure>(turns * 60.0 / speed)
+                     : failure(AlarmId::NoFeed, "G4 S needs a spindle speed");
+}
+
 MaybeFailure dwell(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
-  if (!words.has(Address::Feed) && !words.has(Address::Speed)) {
+  const auto other =
+      std::ranges::find(words.spindle_words, Address::Speed, &BlockWords::SpindleWord::address);
+  const bool has_other = other != words.spindle_words.end();
+  if (!words.has(Address::Feed) && !words.has(Address::Speed) && !has_other) {
     channel.warnings.add(channel.diagnostics, source::DiagnosticId::WordWithoutEffect, block.where,
                          "G4 without F or S takes no time");
   }
-  double seconds = words[Address::Feed].value;
+  Result<double, Failure> seconds = words[Address::Feed].value;
   if (words.has(Address::Speed)) {
-    const double speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
-    if (speed <= 0.0) {
-      return failure(AlarmId::NoFeed, "G4 S needs a spindle speed");
-    }
-    seconds = words[Address::Speed].value * 60.0 / speed;
+    seconds = seconds_of_turns(words[Address::Speed].value,
+                               spindle_speed(channel, channel.present()[kTransverseAxis]));
+  } else if (has_other) {
+    seconds =
+        seconds_of_turns(other->value, channel.other_spindles[other->spindle].turning_speed());
   }
-  if (MaybeFailure wrong = failure(wrong_dwell(seconds))) {
+  if (!seconds) {
+    return seconds.error();
+  }
+  if (MaybeFailure wrong = failure(wrong_dwell(seconds.value()))) {
     return wrong;
   }
-  return pause(channel, {seconds, block.where});
+  return pause(channel, {seconds.value(), block.where});
 }
 
 }  // namespace g31::sinumerik

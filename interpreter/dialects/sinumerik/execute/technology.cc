@@ -29,8 +29,11 @@ bool is_technology(const Block& block) {
 }
 
 void take_speed(Channel& channel, double value) {
-  (cuts_at_constant_speed(channel.group[Group::FeedType]) ? channel.spindle.cutting_speed
-                                                          : channel.spindle.speed) = value;
+  if (cuts_at_constant_speed(channel.group[Group::FeedType])) {
+    channel.spindle.cutting_speed = value * metres_of_cutting(channel);
+  } else {
+    channel.spindle.speed = value;
+  }
 }
 
 /// A spindle that is a rotary axis of the machine, as that of a lathe with C, travels there by the
@@ -76,9 +79,7 @@ double turning_speed(Channel& channel, const Numbered& which) {
     return spindle_speed(channel, channel.present()[kTransverseAxis]);
   }
   const double speed = std::abs(which.spindle.speed);
-  return speed == 0.0 ? 0.0
-         : is_master  ? limited_speed(channel, speed)
-                      : which.spindle.limited(speed);
+  return is_master && speed > 0.0 ? limited_speed(channel, speed) : which.spindle.turning_speed();
 }
 
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
@@ -183,6 +184,20 @@ void tell_spindle(Channel& channel) {
   }
 }
 
+void change_master(Channel& channel, int number) {
+  const bool cuts = cuts_at_constant_speed(channel.group[Group::FeedType]) &&
+                    number != static_cast<int>(channel.master_spindle);
+  const double cutting_speed = channel.spindle.cutting_speed;
+  if (cuts) {
+    channel.spindle.speed = kept_speed(channel);
+  }
+  channel.make_master(number);
+  if (cuts) {
+    channel.spindle.cutting_speed = cutting_speed;
+    tell_spindle(channel);
+  }
+}
+
 MaybeFailure take_technology(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
   if (is_technology(block)) {
@@ -204,6 +219,9 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     return wrong;
   }
   for (const BlockWords::SpindleWord& word : words.spindle_words) {
+    if (word.address == Address::Speed && !is_technology(block)) {
+      continue;
+    }
     if (MaybeFailure wrong = take_word(channel, word, block.where)) {
       return wrong;
     }

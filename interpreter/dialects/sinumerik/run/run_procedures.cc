@@ -77,7 +77,7 @@ MaybeFailure set_master_spindle(Channel& channel, Operands& at, Arguments list) 
   if (MaybeFailure wrong = failure(wrong_master_spindle(number))) {
     return wrong;
   }
-  channel.make_master(static_cast<int>(number));
+  change_master(channel, static_cast<int>(number));
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -42,6 +43,11 @@ struct Spindle {
   /// A speed as it turns: with OVRA, within G25 and G26.  @param programmed  > 0
   [[nodiscard]] double limited(double programmed) const {
     return std::clamp(programmed * override_percent / 100.0, std::min(lowest, highest), highest);
+  }
+
+  /// Of one that is not the master, with S in rev/min.
+  [[nodiscard]] double turning_speed() const {
+    return speed == 0.0 ? 0.0 : limited(std::abs(speed));
   }
 
   bool operator==(const Spindle&) const = default;

@@ -164,7 +164,8 @@ Number speed_programmed(Channel& channel, const SystemAccess& access) {
   }
   const bool at_constant_speed =
       spindle.value() == &channel.spindle && cuts_at_constant_speed(channel.group[Group::FeedType]);
-  return at_constant_speed ? spindle.value()->cutting_speed : spindle.value()->speed;
+  return at_constant_speed ? spindle.value()->cutting_speed / metres_of_cutting(channel)
+                           : spindle.value()->speed;
 }
 
 Number spindle_turn(Channel& channel, const SystemAccess& access) {
@@ -191,7 +192,7 @@ Number speed_now(Channel& channel, const SystemAccess& access) {
   const double speed = !turns ? 0.0
                        : &spindle == &channel.spindle
                            ? spindle_speed(channel, channel.present()[kTransverseAxis])
-                           : spindle.speed;
+                           : spindle.turning_speed();
   return spindle.direction == kCounterclockwise ? -speed : speed;
 }
 
