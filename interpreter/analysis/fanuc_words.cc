@@ -42,11 +42,6 @@ bool is_macro_call(const EvaluatedWord& word) {
   return is_g(word, 65.0) || is_g(word, 66.0);
 }
 
-bool is_return(const Word& word) {
-  return word.letter == 'M' && fanuc::is_integer(word) &&
-         fanuc::nearest_integer(word.number) == fanuc::kReturn;
-}
-
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
   const GCode* const code = fanuc::find_g_code(word.number, profile);
   const bool is_known = code != nullptr;
@@ -117,7 +112,7 @@ Use JudgedBlock::use_by_m(const EvaluatedWord& word) const {
   if (!fanuc::is_integer(word)) {
     return Use::Block;
   }
-  if (is_return(word)) {
+  if (fanuc::is_return(word)) {
     return Use::Return;
   }
   const int code = fanuc::nearest_integer(word.number);
@@ -147,12 +142,10 @@ Use JudgedBlock::use() const {
   return Use::Block;
 }
 
-/// The words beside M99, without P and L, which are its own.
+/// The words beside M99, without its own.
 std::vector<Word> JudgedBlock::without_return() const {
   std::vector<Word> others;
-  std::ranges::copy_if(given_, std::back_inserter(others), [](const Word& word) {
-    return word.letter != 'P' && word.letter != 'L' && !is_return(word);
-  });
+  std::ranges::remove_copy_if(given_, std::back_inserter(others), fanuc::is_of_return);
   return others;
 }
 

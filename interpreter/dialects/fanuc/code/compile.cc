@@ -250,7 +250,7 @@ void Compiler::link_loops() {
   std::vector<Loop> open;
   for (Index i = 0; i < out_.steps.size(); ++i) {
     Step& step = out_.steps[i];
-    if (tree_.blocks[step.block].begins_loop) {  // and has told what is wrong with it
+    if (step.kind == BlockKind::Bad && tree_.blocks[step.block].begins_loop) {
       open.push_back({i, kAnyNumber});
       out_.loops.open(static_cast<std::int32_t>(i));
     } else if (step.kind == BlockKind::While || step.kind == BlockKind::Do) {

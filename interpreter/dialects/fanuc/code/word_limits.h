@@ -17,6 +17,13 @@ inline constexpr int kReturn = 99;            ///< M99
 inline bool is_integer(const EvaluatedWord& word) {
   return word.form != syntax::ValueForm::Decimal;
 }
+inline bool is_return(const EvaluatedWord& word) {
+  return word.letter == 'M' && is_integer(word) && nearest_integer(word.number) == kReturn;
+}
+/// M99 of a block, or P or L, which are its own there.
+inline bool is_of_return(const EvaluatedWord& word) {
+  return word.letter == 'P' || word.letter == 'L' || is_return(word);
+}
 /// Whether a whole number may have a point there, which counts for nothing.
 bool takes_point(const EvaluatedWord& word, const Profile& profile);
 /// Of one that has a point.

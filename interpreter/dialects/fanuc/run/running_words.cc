@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/code/word_limits.h"
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/run/evaluation_failure.h"
@@ -102,9 +103,7 @@ bool RunningWords::skips_rest(const syntax::Word& word) {
 void RunningWords::leave_out_end_of_call(bool returns) {
   BlockWords others = words_.only([returns](const EvaluatedWord& word) {
     const bool cancels = word.letter == 'G' && word.number == kCancelModal;
-    const bool is_of_return = word.letter == 'P' || word.letter == 'L' ||
-                              (word.letter == 'M' && nearest_integer(word.number) == kReturn);
-    return !cancels && !(returns && is_of_return);
+    return !cancels && !(returns && is_of_return(word));
   });
   others.set_sequence(words_.sequence());
   words_ = std::move(others);

@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/run/word_calls.h"
 
+#include "interpreter/dialects/fanuc/code/word_limits.h"
+
 namespace g31::fanuc {
 namespace {
 

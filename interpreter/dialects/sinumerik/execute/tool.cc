@@ -207,11 +207,11 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
   }
   if (changes) {
     channel.tool = channel.selected_tool.value_or(0);
-    // A new tool comes with its first edge.
     if (channel.idle_edge && channel.idle_edge->number != 1) {
       tell_idle_edge(channel);
     }
     channel.idle_edge.reset();
+    // A new tool comes with its first edge.
     if (MaybeFailure wrong = select_edge(channel, channel.tool == 0 ? 0.0 : 1.0)) {
       return wrong;
     }
