@@ -3,6 +3,8 @@
 #include <functional>
 #include <optional>
 
+#include "machine/units/axis_positions.h"
+
 namespace g31::machine {
 
 /// Which change of the skip signal counts.
@@ -21,6 +23,9 @@ struct Listening {
   /// When a fraction 0..1 of the way is reached, s after its beginning; empty: at that speed
   /// throughout.
   std::function<double(double)> time_s_at = {};
+  /// Where the axes truly are at a fraction 0..1 of the way; empty: no rotary axis is in the chain,
+  /// and the way's own positions are theirs.
+  std::function<AxisPositions(double)> axes_at = {};
 };
 
 /// How what gives the signal of an input is placed to do so.

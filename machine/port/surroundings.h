@@ -64,8 +64,8 @@ class Surroundings {
   /// anything but a sensing tip touches, or a tip is pushed in further than it gives way.
   virtual std::optional<Obstacle> first_obstacle(const Way& way, Travel travel) = 0;
 
-  /// Whether the signal of a measuring input is on while the tool stands there.
-  [[nodiscard]] virtual bool signals_at(const Waypoint& at, int input) const = 0;
+  /// Whether the signal listened to is on while the tool stands there.
+  [[nodiscard]] virtual bool signals_at(const Waypoint& at, const Listening& to) const = 0;
 
   /// The part in whose material the middle of a sensing tip is while the tool stands there; "":
   /// none.

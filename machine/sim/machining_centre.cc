@@ -170,7 +170,8 @@ Result<AxisPositions, MachineFault> MachiningCentre::move_led(const LedPath& pat
 
 bool MachiningCentre::skip_signal(int input) const {
   tell_time();
-  return surroundings_ != nullptr && surroundings_->signals_at(real_.tip(q_M_), input);
+  return surroundings_ != nullptr &&
+         surroundings_->signals_at(real_.tip(q_M_), real_.listening_at(q_M_, input));
 }
 
 std::string MachiningCentre::stands_inside() const {

@@ -104,6 +104,9 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& moti
   const TrueWay way(truth_, motion, until_s, {kTouchWayErrorMm, world.tool_extent().signal_mm});
   Listening timed_to = to;
   timed_to.time_s_at = [&way](double fraction) { return way.time_s(std::min(1.0, fraction)); };
+  if (truth_.chain().has_rotary_axes()) {
+    timed_to.axes_at = [&way](double fraction) { return way.axes_at(std::min(1.0, fraction)); };
+  }
   auto trigger = world.first_signal(Way(way.points()), timed_to);
   if (!trigger) {
     return std::nullopt;
@@ -114,6 +117,14 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& moti
     timed.event.contact = in_machine(motion.encoder_at(timed.time_s), *timed.event.contact);
   }
   return timed;
+}
+
+Listening RealAxes::listening_at(const AxisPositions& q_M, int input) const {
+  Listening to{input};
+  if (truth_.chain().has_rotary_axes()) {
+    to.axes_at = [q_M_true = truth_.after(q_M)](double /*fraction*/) { return q_M_true; };
+  }
+  return to;
 }
 
 std::optional<Timed<Obstacle>> RealAxes::first_obstacle(const ServoMotion& motion, Travel travel,

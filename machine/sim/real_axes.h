@@ -86,6 +86,8 @@ class RealAxes {
   /// Comes to rest at a position at once.
   void stop_at(const AxisPositions& q_M);
 
+  /// How what is wired to an input is asked while the axes stand.
+  [[nodiscard]] Listening listening_at(const AxisPositions& q_M, int input) const;
   /// Where the tool tip truly is for the part when the axes have come to q_M.
   [[nodiscard]] Waypoint tip(const AxisPositions& q_M) const;
   /// The same for another point of the tool's side.  @param p_T  mm, from the gauge point

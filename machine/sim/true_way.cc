@@ -16,6 +16,8 @@ constexpr double kFinestPieceMm = 0.01;
 /// Of a way; a finer pitch would take long and is no longer seen in full.
 constexpr double kMostCyclicPieces = 1e6;
 constexpr int kMostHalvings = 24;
+/// Less is rounding: of a tip, say, on the line that its table turns about.
+constexpr double kStandsMm = 1e-10;
 
 Point linear(const AxisPositions& q) {
   return linear_axes(q);
@@ -108,6 +110,25 @@ void TrueWay::add(const TruePosition& truth, const Piece& piece, int halvings) {
   add(truth, {middle_s, piece.to_s, middle, piece.to}, halvings - 1);
 }
 
+TruePosition TrueWay::truth_at(double time_s) const {
+  TruePosition truth = start_;
+  if (!truth.has_play()) {
+    return truth;
+  }
+  for (const double mark_s : marks_) {
+    if (mark_s > time_s) {
+      break;
+    }
+    truth.go_to(motion_.encoder_at(mark_s));
+  }
+  return truth;
+}
+
+AxisPositions TrueWay::axes_at(double fraction) const {
+  const double at_s = time_s(fraction);
+  return truth_at(at_s).after(motion_.encoder_at(at_s));
+}
+
 double TrueWay::time_s(double fraction) const {
   G31_EXPECTS(fraction >= 0.0 && fraction <= 1.0);
   const auto after = std::ranges::upper_bound(points_, fraction, {}, &Waypoint::fraction);
@@ -116,19 +137,13 @@ double TrueWay::time_s(double fraction) const {
   }
   const Waypoint& from = *(after - 1);
   const Waypoint& to = *after;
-  TruePosition truth = start_;
-  for (const double mark_s : marks_) {
-    if (mark_s > from.fraction * until_s_) {
-      break;
-    }
-    truth.go_to(motion_.encoder_at(mark_s));
-  }
+  const TruePosition truth = truth_at(from.fraction * until_s_);
   const Point chord = linear(to.q_M) - linear(from.q_M);
   const double part = (fraction - from.fraction) / (to.fraction - from.fraction);
   const double wanted = part * chord.squaredNorm();
   double low = from.fraction * until_s_;
   double high = to.fraction * until_s_;
-  if (wanted == 0.0) {
+  if (wanted == 0.0 || chord.norm() < kStandsMm) {
     return low + part * (high - low);  // at the start, or the tip stays where it is
   }
   for (double middle = 0.5 * (low + high); low < middle && middle < high;

@@ -33,6 +33,9 @@ class TrueWay {
   /// When the tip is at a fraction as the world gives it: that far along a straight piece.
   [[nodiscard]] double time_s(double fraction) const;
 
+  /// Where the axes truly are then: before tables and heads turn anything.
+  [[nodiscard]] AxisPositions axes_at(double fraction) const;
+
  private:
   struct Piece {
     double from_s = 0.0;
@@ -41,6 +44,8 @@ class TrueWay {
     ToolPlace to;
   };
 
+  /// As the last mark up to a time has left it.
+  [[nodiscard]] TruePosition truth_at(double time_s) const;
   [[nodiscard]] ToolPlace tip_at(const TruePosition& truth, double time_s) const;
   [[nodiscard]] std::vector<double> marks() const;
   [[nodiscard]] bool is_straight(const TruePosition& truth, const Piece& piece) const;

@@ -174,7 +174,8 @@ std::optional<machine::Obstacle> CarriedObstacles::first_obstacle(const machine:
   return obstacle;
 }
 
-bool CarriedObstacles::signals_at(const machine::Waypoint& /*at*/, int /*input*/) const {
+bool CarriedObstacles::signals_at(const machine::Waypoint& /*at*/,
+                                  const machine::Listening& /*to*/) const {
   return false;
 }
 

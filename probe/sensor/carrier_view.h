@@ -88,7 +88,8 @@ class CarriedObstacles final : public machine::Surroundings {
                                                    const machine::Listening& to) override;
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;
   /// Reaches as far as the obstacles do: where tables turn they come past so fast.
   [[nodiscard]] machine::ToolExtent tool_extent() const override;

@@ -45,7 +45,8 @@ std::optional<machine::SkipTrigger> CuttingTool::first_signal(const machine::Way
   return std::nullopt;
 }
 
-bool CuttingTool::signals_at(const machine::Waypoint& /*at*/, int /*input*/) const {
+bool CuttingTool::signals_at(const machine::Waypoint& /*at*/,
+                             const machine::Listening& /*to*/) const {
   return false;
 }
 

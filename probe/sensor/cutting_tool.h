@@ -44,7 +44,8 @@ class CuttingTool final : public machine::Surroundings {
                                                    const machine::Listening& to) override;
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;
   [[nodiscard]] machine::ToolExtent tool_extent() const override;
   void take(const machine::MachineEvent& event) override;

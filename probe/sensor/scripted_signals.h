@@ -14,8 +14,8 @@ namespace g31::probe {
 /// Skip signals from a list instead of a probe: for programs without parts, and for tests.
 ///
 /// The n-th skip move takes the n-th signal of the list, whether it uses it or not; it rises when
-/// the axis reaches its machine coordinate.  Ideal: no delay, no random shift, nothing to collide
-/// with.
+/// the axis reaches its machine coordinate, however tables and heads are turned.  Ideal: no delay,
+/// no random shift, nothing to collide with.
 class ScriptedSignals final : public machine::Surroundings {
  public:
   /// @param signals  axis 0..5 each
@@ -30,7 +30,8 @@ class ScriptedSignals final : public machine::Surroundings {
                                                    const machine::Listening& to) override;
 
   /// The signal that came last is there as long as its axis stays at its coordinate or beyond.
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
 
   /// Always nullopt.
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
@@ -50,8 +51,13 @@ class ScriptedSignals final : public machine::Surroundings {
     double at = 0.0;
     double direction = 1.0;  ///< of the axis
     machine::SignalEdge edge = machine::SignalEdge::Rising;
+
+    [[nodiscard]] bool is_reached_at(double place) const { return direction * (place - at) >= 0.0; }
   };
-  std::optional<machine::SkipTrigger> next(const machine::Sweep& sweep, machine::SignalEdge edge);
+  /// The fraction of a way whose axes do not go along with the tip; nullopt: on no point of it.
+  static std::optional<double> where_reached(const Edge& edge,
+                                             std::span<const machine::Waypoint> points,
+                                             const machine::Listening& to);
 
   std::vector<SkipSignal> signals_;
   std::size_t used_ = 0;

@@ -57,8 +57,8 @@ std::optional<machine::Obstacle> SecondProbe::first_obstacle(const machine::Way&
   return obstacle;
 }
 
-bool SecondProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return inner_->signals_at(own(at), input);
+bool SecondProbe::signals_at(const machine::Waypoint& at, const machine::Listening& to) const {
+  return inner_->signals_at(own(at), to);
 }
 
 std::string SecondProbe::stands_inside(const machine::Waypoint& at) const {

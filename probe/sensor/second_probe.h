@@ -24,7 +24,8 @@ class SecondProbe final : public machine::Surroundings {
                                                    const machine::Listening& to) override;
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
   [[nodiscard]] std::string stands_inside(const machine::Waypoint& at) const override;
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;
   /// The machine leads the tip of the first one; this one reaches as far as its spindle is.

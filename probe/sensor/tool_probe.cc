@@ -228,8 +228,8 @@ bool ToolProbe::is_on(const machine::Waypoint& at) const {
   return held_ != nullptr && touch_at(at).has_value();
 }
 
-bool ToolProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return is_wired(input) && held_ != nullptr && is_on(bed_.from_carrier(at));
+bool ToolProbe::signals_at(const machine::Waypoint& at, const machine::Listening& to) const {
+  return is_wired(to.input) && held_ != nullptr && is_on(bed_.from_carrier(at));
 }
 
 double ToolProbe::trigger_shift(std::uint64_t event) const {

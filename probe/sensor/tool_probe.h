@@ -44,7 +44,8 @@ class ToolProbe final : public machine::Surroundings {
   /// Rising: where the plate is pushed or the beam broken.  Falling: where it is free again.
   std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
                                                    const machine::Listening& to) override;
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
 
   /// On a skip move the plate pushed further than it gives way, or chuck and shank touching; on
   /// others anything of the tool that touches.  Leaving a contact is free, pushing deeper is not.

@@ -54,7 +54,8 @@ class TouchProbe final : public machine::Surroundings {
                                                    const machine::Listening& to) override;
 
   /// Whether a ball is pushed in as far as the signal needs.
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
 
   /// By the winding number of the meshes of solids: no direction counts, and neither do small
   /// holes.

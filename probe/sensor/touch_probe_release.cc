@@ -64,8 +64,8 @@ std::string TouchProbe::stands_inside(const machine::Waypoint& at) const {
   return {};
 }
 
-bool TouchProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return is_wired(input) && !is_silent() && signalling_touch(at).has_value();
+bool TouchProbe::signals_at(const machine::Waypoint& at, const machine::Listening& to) const {
+  return is_wired(to.input) && !is_silent() && signalling_touch(at).has_value();
 }
 
 std::optional<machine::SkipTrigger> TouchProbe::first_release_along(Points way) {

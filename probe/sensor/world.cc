@@ -46,8 +46,8 @@ std::optional<machine::Obstacle> World::first_obstacle(const machine::Way& way,
   return first;
 }
 
-bool World::signals_at(const machine::Waypoint& at, int input) const {
-  return std::ranges::any_of(sets_, [&](const auto& set) { return set->signals_at(at, input); });
+bool World::signals_at(const machine::Waypoint& at, const machine::Listening& to) const {
+  return std::ranges::any_of(sets_, [&](const auto& set) { return set->signals_at(at, to); });
 }
 
 std::string World::stands_inside(const machine::Waypoint& at) const {

@@ -31,7 +31,8 @@ class World final : public machine::Surroundings {
                                                    const machine::Listening& to) override;
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at,
+                                const machine::Listening& to) const override;
   [[nodiscard]] std::string stands_inside(const machine::Waypoint& at) const override;
 
   /// Of several on one input, that of the first in place, else of the first.

@@ -187,9 +187,9 @@ TEST(ProbeModel, TheSignalGoesOffWhereTheDeflectionIsBelowThePreTravelAgain) {
   setup.trigger_delay_s = 0.002;
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   // The ball touches the top face at Z133; the signal is on up to 132.9.
-  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.85)}, 1));
-  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.9)}, 1));
-  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 132.91)}, 1));
+  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.85)}, {1}));
+  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.9)}, {1}));
+  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 132.91)}, {1}));
   const machine::Waypoint way[] = {
       {0.0, at(5, 5, 132.5)}, {0.4, at(5, 5, 132.7)}, {1.0, at(5, 5, 133.5)}};
   const auto trigger = testing::release_along(probe, way);

@@ -135,8 +135,8 @@ TEST(TouchProbe, AMoveThatListensToAnotherInputHearsNothing) {
     EXPECT_TRUE(probe.first_signal(way, {2, edge}));
     EXPECT_TRUE(probe.first_signal(way, {machine::kAnyInput, edge}));
   }
-  EXPECT_FALSE(probe.signals_at({0.0, at({5, 5, 120})}, 1));
-  EXPECT_TRUE(probe.signals_at({0.0, at({5, 5, 120})}, 2));
+  EXPECT_FALSE(probe.signals_at({0.0, at({5, 5, 120})}, {1}));
+  EXPECT_TRUE(probe.signals_at({0.0, at({5, 5, 120})}, {2}));
 }
 
 TEST(TouchProbe, FindsTheSignalOnWhenAMoveBeginsInThePart) {

@@ -54,10 +54,10 @@ TEST(TouchRelease, AMonoProbeAcrossIsSilentFromTheSideFromWhichItNeverRises) {
   setup.at_switch.mono_direction_deg = 90.0;
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   EXPECT_FALSE(testing::touch_on(probe, {at({5, 5, 23}), at({5, 5, 12})}).has_value());
-  EXPECT_FALSE(probe.signals_at({0.0, at({5, 5, 12})}, 1));
+  EXPECT_FALSE(probe.signals_at({0.0, at({5, 5, 12})}, {1}));
   // Along the stem it is as if from above.
   EXPECT_TRUE(testing::touch_on(probe, {at({23, 5, 5}), at({12, 5, 5})}).has_value());
-  EXPECT_TRUE(probe.signals_at({0.0, at({12, 5, 5})}, 1));
+  EXPECT_TRUE(probe.signals_at({0.0, at({12, 5, 5})}, {1}));
 }
 
 /// A mono probe that turns its switch towards +X.
@@ -73,8 +73,8 @@ TEST(TouchRelease, ABallExactlyInTouchIsDeflectedFromThatSide) {
   const Point kNormals[] = {{0, 0, 1}, {-0.6, 0, 0.8}, {-1.0 / 3, -2.0 / 3, 2.0 / 3}};
   TouchProbe probe(ball_at_the_axes(), {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(probe.signals_at({0.0, at(kPlaces[i])}, 1));
-    EXPECT_FALSE(probe.signals_at({0.0, at(kPlaces[i] + 1e-8 * kNormals[i])}, 1));
+    EXPECT_TRUE(probe.signals_at({0.0, at(kPlaces[i])}, {1}));
+    EXPECT_FALSE(probe.signals_at({0.0, at(kPlaces[i] + 1e-8 * kNormals[i])}, {1}));
     const auto fall = testing::release_along(
         probe, Way{{0.0, at(kPlaces[i])}, {1.0, at(kPlaces[i] + 10.0 * kNormals[i])}});
     ASSERT_TRUE(fall.has_value());
@@ -88,10 +88,10 @@ TEST(TouchRelease, ABallExactlyInTouchIsDeflectedFromThatSide) {
 
 TEST(TouchRelease, AMonoProbeExactlyInTouchSignalsFromItsSides) {
   TouchProbe probe(mono_probe(), {{"block", testing::box_mesh({10, 10, 10})}}, 0);
-  EXPECT_TRUE(probe.signals_at({0.0, at({5.3, 5.4, 13.0})}, 1));
-  EXPECT_TRUE(probe.signals_at({0.0, at({-3.0, 5.4, 5.0})}, 1));
-  EXPECT_FALSE(probe.signals_at({0.0, at({13.0, 5.4, 5.0})}, 1));
-  EXPECT_FALSE(probe.signals_at({0.0, at({5.3, -3.0, 5.0})}, 1));
+  EXPECT_TRUE(probe.signals_at({0.0, at({5.3, 5.4, 13.0})}, {1}));
+  EXPECT_TRUE(probe.signals_at({0.0, at({-3.0, 5.4, 5.0})}, {1}));
+  EXPECT_FALSE(probe.signals_at({0.0, at({13.0, 5.4, 5.0})}, {1}));
+  EXPECT_FALSE(probe.signals_at({0.0, at({5.3, -3.0, 5.0})}, {1}));
 }
 
 /// Two walls, the way to +X and the way to +Y: the centre may go up to X 0 and Y 0.
@@ -102,8 +102,8 @@ std::vector<ProbedPart> corner() {
 
 TEST(TouchRelease, InACornerEachWallCountsByItsOwnDeflection) {
   TouchProbe probe(mono_probe(), corner(), 0);
-  EXPECT_FALSE(probe.signals_at({0.0, at({-1e-8, 0.3, 0.0})}, 1)) << "only the side is touched";
-  EXPECT_TRUE(probe.signals_at({0.0, at({0.0, 0.3, 0.0})}, 1));
+  EXPECT_FALSE(probe.signals_at({0.0, at({-1e-8, 0.3, 0.0})}, {1})) << "only the side is touched";
+  EXPECT_TRUE(probe.signals_at({0.0, at({0.0, 0.3, 0.0})}, {1}));
   const auto fall =
       testing::release_along(probe, Way{{0.0, at({0.1, 0.3, 0})}, {1.0, at({-0.9, 0.3, 0})}});
   ASSERT_TRUE(fall.has_value());

@@ -114,7 +114,7 @@ TEST(TouchProbe, KeepsSilentWhileAnotherToolIsInTheSpindle) {
   EXPECT_FALSE(testing::touch_on(probe, down()));
   EXPECT_FALSE(testing::collision_on(probe, down()));
   EXPECT_FALSE(testing::damage_on(probe, down()));
-  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 130)}, 1));
+  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 130)}, {1}));
   const auto up = testing::ends_of({at(5, 5, 130), at(5, 5, 200)});
   EXPECT_TRUE(testing::release_along(probe, up)->on_at_start) << "the line is low already";
   probe.take(ToolChange{{1, 120.0, 3.0}});
@@ -196,8 +196,8 @@ TEST(World, HoldsASecondProbe) {
   EXPECT_NEAR(touched_at(11, 2), 113.0, 1e-9);
   EXPECT_NEAR(touched_at(11, machine::kAnyInput), 113.0, 1e-9);
   EXPECT_EQ(world.tool_extent().p_T_tip, Point(0, 0, -100));
-  EXPECT_TRUE(world.signals_at({0.0, at(5, 5, 112)}, 2));
-  EXPECT_FALSE(world.signals_at({0.0, at(5, 5, 112)}, 1));
+  EXPECT_TRUE(world.signals_at({0.0, at(5, 5, 112)}, {2}));
+  EXPECT_FALSE(world.signals_at({0.0, at(5, 5, 112)}, {1}));
   EXPECT_EQ(touched_at(5, machine::kAnyInput), 0.0);
   EXPECT_FALSE(testing::collision_on(world, down()));
   EXPECT_EQ(world.tool_extent().p_T_tip, Point(0, 0, -77)) << "as the control believes";

@@ -30,7 +30,8 @@ class WorldOfPieces : public machine::Surroundings {
         way, [this](const machine::Sweep& sweep) { return obstacle_on(sweep); });
   }
 
-  [[nodiscard]] bool signals_at(const machine::Waypoint& /*at*/, int /*input*/) const override {
+  [[nodiscard]] bool signals_at(const machine::Waypoint& /*at*/,
+                                const machine::Listening& /*to*/) const override {
     return false;
   }
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int /*input*/) const override {
