@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -9,6 +11,7 @@
 
 #include "interpreter/analysis/fanuc_comments.h"
 #include "interpreter/analysis/fanuc_flow.h"
+#include "interpreter/analysis/fanuc_heads.h"
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/code/library.h"
@@ -115,8 +118,13 @@ class FanucPrograms final : public ProgramSet {
 
   std::vector<Finding> doubts_of_text(const std::string& path) override {
     const auto programs = library_.programs_of(path);
-    return programs.empty() ? std::vector<Finding>()
-                            : open_comments(text(path), *programs.front()->tree);
+    if (programs.empty()) {
+      return {};
+    }
+    const syntax::Tree& tree = *programs.front()->tree;
+    std::vector<Finding> doubts = open_comments(text(path), tree);
+    std::ranges::move(lost_heads(text(path), tree), std::back_inserter(doubts));
+    return doubts;
   }
 
   std::optional<Fault> missing_program(const Flow& caller, const Call& call) override {

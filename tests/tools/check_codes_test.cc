@@ -105,6 +105,19 @@ TEST(CheckCodes, ACommentWithoutItsEndIsTold) {
                                       "open.nc:5:10: warning: this comment has no ) [NC014]"}));
 }
 
+// No call finds it, and it runs as part of the one before.
+TEST(CheckCodes, AProgramNumberBehindOtherWordsIsTold) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "heads.nc", "O1\nM98 P2\nG0 X1. O0002\nM30\nO2 (SECOND)\nM99O0003(THIRD)\nM99\n");
+  EXPECT_EQ(places(testing::g31({"check", file}).out, folder),
+            (std::vector<std::string>{
+                "heads.nc:3:8: warning: O0002 stands within a block, where no program begins "
+                "[NC016]",
+                "heads.nc:6:4: warning: O0003 stands within a block, where no program begins "
+                "[NC016]"}));
+}
+
 // Blocks that calls and jumps of their own codes begin at: a run ends there.
 TEST(CheckCodes, ABlockThatIsNotThereIsToldWhateverNamesIt) {
   const TemporaryFolder folder;
