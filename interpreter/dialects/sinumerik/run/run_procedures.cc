@@ -168,7 +168,11 @@ MaybeFailure transformation_on_chain(Channel& channel, Operands& at, Arguments l
 
 /// NEWCONF
 MaybeFailure activate_data(Channel& channel, Operands& /*at*/, Arguments /*list*/) {
-  return transformation_is_unchanged(channel);
+  MaybeFailure wrong = transformation_is_unchanged(channel);
+  if (!wrong) {
+    channel.compensation_data.activate(channel);
+  }
+  return wrong;
 }
 
 MaybeFailure transformation_off(Channel& channel, Operands& /*at*/, Arguments /*list*/) {

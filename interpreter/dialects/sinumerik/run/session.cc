@@ -265,6 +265,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   preset_spindle_axis(*runner_, setup);
   channel.preset_rapids();
   channel.preset_codes();
+  channel.compensation_data.activate(channel);
   numbers_at_start_ = channel.numbers;
   texts_at_start_ = channel.texts;
   for (const auto& [name, value] : setup.variables) {

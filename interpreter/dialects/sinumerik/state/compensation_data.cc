@@ -44,6 +44,9 @@ machine::CompensationTable::Factor factor_of(const Range& range, int moving, con
   return factor;
 }
 
+/// Of an axis.
+constexpr int kEncoders = 2;
+
 bool is_of_machine(double axis) {
   return axis >= 0.0 && axis < static_cast<double>(kAxisCount);
 }
@@ -55,7 +58,8 @@ CompensationData::CompensationData(const Globals& globals)
       sag_enable_(globals.place("$MA_CEC_ENABLE")),
       table_enable_(globals.place("$SN_CEC_TABLE_ENABLE")),
       table_weight_(globals.place("$SN_CEC_TABLE_WEIGHT")),
-      most_points_(globals.place("$MN_MM_CEC_MAX_POINTS")) {}
+      most_points_(globals.place("$MN_MM_CEC_MAX_POINTS")),
+      activated_((kEncoders + 1) * kAxisCount) {}
 
 bool CompensationData::is_of_encoder(SystemId id) {
   return id == SystemId::EncoderTable || id == SystemId::EncoderTableStep ||
@@ -63,19 +67,32 @@ bool CompensationData::is_of_encoder(SystemId id) {
          id == SystemId::EncoderTableModulo;
 }
 
+void CompensationData::activate(const ChannelState& state) {
+  const auto from = [&](std::size_t place) {
+    return state.numbers.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  activated_.assign(from(encoder_enable_), from(encoder_enable_) + kEncoders * kAxisCount);
+  activated_.insert(activated_.end(), from(sag_enable_), from(sag_enable_) + kAxisCount);
+}
+
 bool CompensationData::is_protected(const ChannelState& state, SystemId id,
                                     const std::vector<int>& indices) const {
-  constexpr int kEncoders = 2;
+  const auto is_on = [&](std::size_t place, std::size_t among_activated) {
+    return state.numbers[place] != 0.0 && activated_[among_activated] != 0.0;
+  };
   if (is_of_encoder(id)) {
     const int encoder = indices.front();
     const int axis = indices.back();
-    return encoder < kEncoders && is_of_machine(axis) &&
-           state.numbers[encoder_enable_ + static_cast<std::size_t>(encoder) * kAxisCount +
-                         static_cast<std::size_t>(axis)] != 0.0;
+    const std::size_t datum =
+        static_cast<std::size_t>(encoder) * kAxisCount + static_cast<std::size_t>(axis);
+    return encoder < kEncoders && is_of_machine(axis) && is_on(encoder_enable_ + datum, datum);
   }
   const auto output = state.kept_data.find({SystemId::SagTableOutput, 0, {indices.front()}});
-  return output != state.kept_data.end() && is_of_machine(output->second) &&
-         state.numbers[sag_enable_ + static_cast<std::size_t>(output->second)] != 0.0;
+  if (output == state.kept_data.end() || !is_of_machine(output->second)) {
+    return false;
+  }
+  const auto axis = static_cast<std::size_t>(output->second);
+  return is_on(sag_enable_ + axis, kEncoders * kAxisCount + axis);
 }
 
 int CompensationData::most_points(const ChannelState& state, int table) const {

@@ -38,7 +38,11 @@ class CompensationData {
 
   /// Whether a variable is one of $AA_ENC_COMP; else of $AN_CEC.
   static bool is_of_encoder(SystemId id);
-  /// MD32700 and MD32710 protect the tables of their axis.
+  /// NEWCONF, or the start of a program: MD32700 and MD32710 as they are now protect tables, which
+  /// a builder's program writes behind a new enabling up to then.
+  void activate(const ChannelState& state);
+
+  /// MD32700 and MD32710 protect the tables of their axis, once they are activated.
   /// @param id  of a row of system_variables.def  @param indices  as it is accessed
   [[nodiscard]] bool is_protected(const ChannelState& state, SystemId id,
                                   const std::vector<int>& indices) const;
@@ -69,7 +73,8 @@ class CompensationData {
   std::size_t most_points_;     // of MD18342
   bool has_tables_ = false;
   bool is_new_ = false;
-  std::vector<double> enabling_;  // as looked at last
+  std::vector<double> enabling_;   // as looked at last
+  std::vector<double> activated_;  // MD32700 of both encoders, then MD32710
 };
 
 }  // namespace g31::sinumerik
