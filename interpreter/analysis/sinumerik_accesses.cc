@@ -11,9 +11,9 @@ SinumerikAccesses::SinumerikAccesses(const sinumerik::CompiledProgram& program)
     : program_(program) {
   for (std::size_t i = 0; i < program.variables.size(); ++i) {
     const sinumerik::Variable& variable = program.variables[i];
-    if (variable.storage != sinumerik::Storage::Reference) {
-      const auto bank = variable.storage == sinumerik::Storage::Global ? sinumerik::Bank::Globals
-                                                                       : sinumerik::Bank::Locals;
+    const bool is_global = variable.storage == sinumerik::Storage::Global;
+    if (is_global || variable.storage == sinumerik::Storage::Local) {
+      const auto bank = is_global ? sinumerik::Bank::Globals : sinumerik::Bank::Locals;
       by_place_.emplace(Place{list_of(variable.type), bank, variable.place}, i);
     }
   }
@@ -71,7 +71,8 @@ SinumerikAccesses::Operands SinumerikAccesses::operands_of(sinumerik::OpCode cod
 }
 
 Variable SinumerikAccesses::name_of(const sinumerik::Variable& variable) const {
-  const bool is_global = variable.storage == sinumerik::Storage::Global;
+  const bool is_global = variable.storage == sinumerik::Storage::Global ||
+                         variable.storage == sinumerik::Storage::OfMain;
   return {is_global ? Variable::Scope::Global : Variable::Scope::Local, variable.name};
 }
 

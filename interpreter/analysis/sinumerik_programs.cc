@@ -40,6 +40,7 @@ class SinumerikPrograms final : public ProgramSet {
     memory_.emplace(sources_);
     memory_->library.expect_data(data_);
     memory_->library.expect_axes(axis_names_);
+    memory_->library.expect_any_main();
   }
 
   bool add_file(const std::string& path) override {

@@ -519,6 +519,20 @@ TEST(SinumerikDataFiles, TellWhichLineIsWrong) {
   }
 }
 
+// Nothing stands behind them before the main program runs.
+TEST(SinumerikDataFiles, CallNoProgramThatNamesVariablesOfTheMainProgram) {
+  const std::string text = "DEF REAL SIZE=4\nSUB\nM30\n";
+  for (const std::string body : {"R1=SIZE", "EXECSTRING(\"R1=SIZE\")", "DO $R1=SIZE"}) {
+    SCOPED_TRACE(body);
+    const std::string sub = body + "\nG4 F1\nRET\n";
+    ProgramRun loads({{"main.mpf", text + "%_N_UFR_INI\nSUB\nM17\n"}, {"lib/SUB.SPF", sub}});
+    EXPECT_EQ(loads.alarm(), 12550);
+    ProgramRun runs({{"main.mpf", text}, {"lib/SUB.SPF", sub}});
+    EXPECT_EQ(runs.alarm(), 0);
+    EXPECT_EQ(runs.number("R1"), 4.0);
+  }
+}
+
 TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
   const std::string archive =
       "R1=$TC_DP3[3,1] R2=$TC_DP6[3,1]\nM30\n%_N_TOA_INI\nCHANDATA(1)\n"

@@ -92,5 +92,34 @@ TEST_F(CheckedTree, ASinumerikLooksIntoItsSubprogramsAndNotIntoOtherWorkpieces) 
   EXPECT_NE(output.out.find("X.MPF:2:1: error: alarm 12550"), std::string::npos) << output.out;
 }
 
+TEST_F(CheckedTree, ADefinitionFileIsToldByItsNameOrByWhatItDefines) {
+  write("P.MPF", "R1=ROUND_OF+TURN_OF\nM30\n");
+  // Of a post-processor and of a linker.
+  write("POST.def", "MACHINE  mill\nFORMAT Coordinate \"&__5.3_\"\n");
+  write("lib/exports.def", "LIBRARY probe\nEXPORTS\n  touch\n");
+  write("WHEEL.DEF", "; of the wheel\nN10 def NCK REAL ROUND_OF=1\nM17\n");
+  write("DEF.DIR/SHOP.DEF", "DEF NCK REAL TURN_OF=1\nM17\n");
+  EXPECT_EQ(check({""}).out, "");
+  EXPECT_EQ(check({"P.MPF", "--lib", "DEF.DIR", "--lib", "lib"}).out, "");
+  write("lib/MGUD.DEF", "MACHINE mill\n");
+  const auto output = check({"P.MPF", "--lib", "DEF.DIR", "--lib", "lib"});
+  EXPECT_NE(output.out.find("MGUD.DEF:1:"), std::string::npos) << output.out;
+  EXPECT_EQ(output.out.find("exports"), std::string::npos) << output.out;
+}
+
+TEST_F(CheckedTree, DefinitionsThatAreCutOffOrMisnamedAreToldAsSuch) {
+  write("files/MGUD.DEF", "DEF \n");
+  EXPECT_NE(
+      check({"files/MGUD.DEF"}).out.find("in a definition file NCK or CHAN stands behind DEF"),
+      std::string::npos);
+  write("P.MPF", "DEF REAL D0_FAST, L1\nDEF NCK REAL SIZE\nL1=1\nM30\n");
+  const auto output = check({"P.MPF"});
+  EXPECT_NE(output.out.find("P.MPF:1:10: error: alarm 12080, syntax error in text: D0_FAST, a name "
+                            "begins with two letters or underscores"),
+            std::string::npos)
+      << output.out;
+  EXPECT_NE(output.out.find("NCK and CHAN are for definition files only"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace g31::check_folders_test

@@ -10,6 +10,7 @@
 #include "machine/base/letters.h"
 #include "machine/base/utf_8.h"
 #include "tools/disk/disk.h"
+#include "tools/session/control.h"
 
 namespace g31::check {
 namespace {
@@ -34,24 +35,10 @@ bool has_program_number(const std::string& stem) {
          std::all_of(stem.begin() + 1, stem.end(), is_digit);
 }
 
-/// MGUD.DEF, GUD4.DEF, UMAC.DEF: other software has .def files, too.
-bool is_named_as_definition(const std::string& stem) {
-  const std::size_t end = stem.find_last_not_of("0123456789");
-  const std::string_view name = std::string_view(stem).substr(0, end + 1);
-  return name.ends_with("gud") || name.ends_with("mac");
-}
-
-/// What else lies about a file.
-struct Company {
-  bool beside_sinumerik = false;  ///< programs in its own folder
-  bool among_sinumerik = false;   ///< somewhere in the folder that was named
-};
-
-bool is_definition(const fs::path& path, const Company& company) {
+/// Definition files hold for all programs of a SINUMERIK, wherever they lie in its memory.
+bool is_definition(const fs::path& path) {
   return in_small_letters(path.extension().string()) == ".def" &&
-         (company.beside_sinumerik ||
-          (company.among_sinumerik &&
-           is_named_as_definition(in_small_letters(path.stem().string()))));
+         session::defines_data(path.string(), disk::Disk().read(path.string()).value_or(""));
 }
 
 bool is_program(const fs::path& path) {
@@ -114,10 +101,9 @@ std::vector<std::string> programs_below(const std::string& folder,
   std::vector<std::string> found;
   for (auto& folder_files : by_folder) {
     std::vector<fs::path>& files = folder_files.second;
-    const Company company{has_sinumerik(folder_files), among_sinumerik};
     std::ranges::sort(files);
     for (const fs::path& file : files) {
-      if (is_program(file) || is_definition(file, company) || begins_as_program(file)) {
+      if (is_program(file) || (among_sinumerik && is_definition(file)) || begins_as_program(file)) {
         found.push_back(file.lexically_normal().string());
       }
     }

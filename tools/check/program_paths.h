@@ -21,9 +21,8 @@ struct ProgramPaths {
 };
 
 /// Files that are named, and the programs in folders and the folders below them, which are told by
-/// their names: O1234 with any ending, .nc and its like, .MPF, .SPF, .ARC, .DEF beside those three,
-/// and MGUD.DEF, UMAC.DEF and their like in a folder that has those three anywhere.  Other texts
-/// are told by how they begin.
+/// their names: O1234 with any ending, .nc and its like, .MPF, .SPF and .ARC, and definition files
+/// (.DEF) in a folder that has those three anywhere.  Other texts are told by how they begin.
 ProgramPaths program_paths(const std::vector<std::string>& named);
 
 }  // namespace g31::check

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/code/program_name.h"
 #include "interpreter/dialects/sinumerik/run/session.h"
 #include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
@@ -137,6 +138,10 @@ std::string_view name_of(const Control& control) {
           [](const SinumerikControl&) { return sinumerik::kControlName; },
       },
       control);
+}
+
+bool defines_data(const std::string& path, std::string_view text) {
+  return sinumerik::holds_definitions(sinumerik::program_name(path), text);
 }
 
 std::vector<Control> all_controls() {

@@ -49,4 +49,8 @@ Control default_control();
 Control control_of_program(const std::string& path, std::string_view text);
 inline constexpr std::size_t kProgramBeginning = 4096;
 
+/// Whether a file .DEF defines data of a SINUMERIK: other software has such files, too.
+/// @param text  all of it
+bool defines_data(const std::string& path, std::string_view text);
+
 }  // namespace g31::session

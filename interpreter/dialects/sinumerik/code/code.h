@@ -75,6 +75,7 @@ enum class Storage : std::uint8_t {
   Local,
   Global,
   Reference,  ///< a VAR parameter: stands in the level's references
+  OfMain,     ///< PUD: a local variable of the main program, found there by its name
 };
 
 /// LLI and ULI of a DEF: what a variable takes.
@@ -240,6 +241,9 @@ struct CompiledProgram {
   Layout layout;                              ///< of a new level
   std::vector<Parameter> parameters;
   Argument result;  ///< of a program that is one expression
+  /// A subprogram of a user: those of the main program are its variables, too.
+  bool sees_main = false;
+  bool leads = false;  ///< a main program, which subprograms see variables of
   bool has_proc = false;
   bool has_wrong_proc = false;      ///< whose alarm comes before any of its arguments
   bool reads_block_time = false;    ///< $AC_TIME

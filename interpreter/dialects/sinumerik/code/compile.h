@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "interpreter/dialects/sinumerik/code/code.h"
 #include "interpreter/dialects/sinumerik/code/globals.h"
@@ -15,6 +16,7 @@ struct ProgramSource {
   ShortSpan text;           ///< without its header
   std::string folder = {};  ///< of $PATH; empty: not said
   bool is_shipped = false;  ///< comes with the control: macros of others do not reach into it
+  bool leads = false;       ///< a main program: variables of another one do not reach into it
 };
 
 /// Compiles a program.  Nothing in it can make this fail: a block that is wrong becomes a step that
@@ -24,6 +26,9 @@ std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Glob
 /// The same of an INI file: it may assign to system data that g31 does not have, which goes into
 /// CompiledProgram::unknown_data.
 std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals);
+
+/// The variables that a program defines before its first block that does something.
+std::vector<Variable> variables_of_head(const ProgramSource& source, const Globals& globals);
 
 /// A piece of a program that can be run before what follows is known.
 struct CompiledWindow {

@@ -112,6 +112,13 @@ std::optional<Definitions::DeclaredType> Definitions::declared_type() {
   return DeclaredType{*type, *type == Type::String ? string_length().value_or(1) : 0};
 }
 
+/// Whether letters follow what has been read at once: D0_FAST begins with an address and its value.
+bool Definitions::name_goes_on() const {
+  const Token& next = cursor_.peek();
+  return (next.kind == TokenKind::Name || next.kind == TokenKind::Letter) &&
+         next.where.begin == cursor_.previous().where.end;
+}
+
 std::optional<Variable> Definitions::declared_variable(const DeclaredType& declared) {
   const Token name = cursor_.next();
   const bool is_letter = name.kind == TokenKind::Letter && !name.is_letter('R') &&
@@ -127,6 +134,10 @@ std::optional<Variable> Definitions::declared_variable(const DeclaredType& decla
   } else if (is_of_the_language(name.text) ||
              (is_numbered && (name.is_letter('G') || name.is_letter('M')))) {
     fail(AlarmId::DefinedTwice, name.where, std::string(name.text) + number);
+  } else if (is_numbered && name_goes_on()) {
+    const ShortSpan whole{name.where.begin, cursor_.peek().where.end};
+    fail(AlarmId::SyntaxInText, whole,
+         text_of(whole) + ", a name begins with two letters or underscores");
   }
   Variable variable;
   variable.name = std::string(name.text) + number;
@@ -252,8 +263,10 @@ void Definitions::def_statement() {
     return;
   }
   const bool scoped = cursor_.accept_name("NCK") || cursor_.accept_name("CHAN");
-  if (scoped != (purpose_ == Purpose::Definitions)) {
+  if (scoped && purpose_ != Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block(), "NCK and CHAN are for definition files only");
+  } else if (!scoped && purpose_ == Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block(), "in a definition file NCK or CHAN stands behind DEF");
   }
   definition_attributes();
   const auto declared = declared_type();

@@ -46,11 +46,14 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
   program_.name = source.name;
   program_.folder = source.folder;
   program_.file = source.file;
+  program_.leads = source.leads;
+  program_.sees_main = purpose == Purpose::Program && !source.is_shipped && !source.leads;
 }
 
 void Compiler::know_locals_of(const CompiledProgram& home) {
   program_.name = home.name;
   program_.folder = home.folder;
+  program_.sees_main = home.sees_main;
   program_.saves_codes = home.saves_codes;
   program_.hides_blocks = home.hides_blocks;
   program_.shows_actual_block = home.shows_actual_block;
@@ -89,6 +92,23 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
   }
   end_of_text();
   return std::move(program);
+}
+
+std::vector<Variable> Compiler::run_head() {
+  for (std::uint32_t begin = whole_.begin;
+       begin < whole_.end && !definitions_.is_in_program_part();) {
+    const ShortSpan line = line_from(begin);
+    read_block(line);
+    begin = line.end + 1;
+  }
+  std::vector<Variable> defined;
+  for (const auto& [name, index] : program_.locals) {
+    const auto is_it = [&](const Parameter& parameter) { return parameter.variable == index; };
+    if (std::ranges::none_of(program_.parameters, is_it)) {
+      defined.push_back(program_.variables[static_cast<std::size_t>(index)]);
+    }
+  }
+  return defined;
 }
 
 void Compiler::end_of_text() {
@@ -149,6 +169,10 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
 
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
   return Compiler(source, globals, Purpose::Program).run();
+}
+
+std::vector<Variable> variables_of_head(const ProgramSource& source, const Globals& globals) {
+  return Compiler(source, globals, Purpose::Program).run_head();
 }
 
 CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,

@@ -15,7 +15,9 @@ bool has_parts(const Variable& variable) {
 
 /// Whether a step may take or leave an element's number where it stands.
 bool is_plain_memory(const Variable& variable) {
-  return variable.storage != Storage::Reference && variable.unit == DatumUnit::Plain;
+  const bool is_elsewhere =
+      variable.storage == Storage::Reference || variable.storage == Storage::OfMain;
+  return !is_elsewhere && variable.unit == DatumUnit::Plain;
 }
 
 }  // namespace

@@ -35,6 +35,8 @@ class Compiler final : private CompilerMemory, private BlockPart, private BlockI
   void define_in(Globals& globals) { definitions_.define_in(globals, is_shipped_); }
 
   std::unique_ptr<CompiledProgram> run();
+  /// What DEF defines before the first block that does something.
+  std::vector<Variable> run_head();
   /// Blocks from `begin` on that say nothing of others.
   CompiledWindow run_window(std::uint32_t begin);
   /// The whole text is one expression.

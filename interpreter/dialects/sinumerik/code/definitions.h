@@ -40,6 +40,7 @@ class Definitions : private BlockPart {
   [[nodiscard]] int count_in_block() const { return in_block_; }
   /// A statement that is no definition has stood there.
   void begin_program_part() { in_program_part_ = true; }
+  [[nodiscard]] bool is_in_program_part() const { return in_program_part_; }
   /// A variable may be called I, say.
   [[nodiscard]] bool have_letter_names() const { return has_letter_names_; }
   void expect_letter_names() { has_letter_names_ = true; }
@@ -66,6 +67,7 @@ class Definitions : private BlockPart {
   void proc_parameter();
   void proc_attributes();
   std::optional<DeclaredType> declared_type();
+  [[nodiscard]] bool name_goes_on() const;
   std::optional<Variable> declared_variable(const DeclaredType& declared);
   std::optional<std::int32_t> string_length();
   std::optional<std::int32_t> whole_constant();

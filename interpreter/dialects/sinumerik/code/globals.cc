@@ -86,6 +86,16 @@ const Variable* Globals::find(std::string_view name) const {
   return found != by_name_.end() ? &variables_[found->second] : nullptr;
 }
 
+void Globals::offer_of_main(Variable variable) {
+  variable.storage = Storage::OfMain;
+  of_main_.emplace(variable.name, variable);
+}
+
+const Variable* Globals::find_of_main(std::string_view name) const {
+  const auto found = of_main_.find(name);
+  return found != of_main_.end() ? &found->second : nullptr;
+}
+
 const Variable* Globals::define(const Variable& variable) {
   if (!by_name_.emplace(variable.name, variables_.size()).second) {
     return nullptr;

@@ -30,6 +30,12 @@ class Globals {
   /// @returns nullptr when there is one of that name already
   const Variable* define(const Variable& variable);
 
+  /// A variable of the main program is one of its subprograms, too (PUD).  Of several main programs
+  /// the first one that has the name counts.
+  void offer_of_main(Variable variable);
+  /// nullptr: the main program has none of that name.
+  [[nodiscard]] const Variable* find_of_main(std::string_view name) const;
+
   [[nodiscard]] std::span<const Variable> variables() const { return variables_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
 
@@ -49,6 +55,7 @@ class Globals {
 
   std::vector<Variable> variables_;
   NameMap<std::size_t> by_name_;
+  NameMap<Variable> of_main_;
   Layout layout_;
 };
 

@@ -10,8 +10,11 @@ std::int32_t KnownVariables::find(std::string_view name) {
   if (const auto local = program_.locals.find(name); local != program_.locals.end()) {
     return local->second;
   }
-  const Variable* const global = globals_.find(name);
-  return global != nullptr ? import(*global) : -1;
+  const Variable* outside = globals_.find(name);
+  if (outside == nullptr && program_.sees_main) {
+    outside = globals_.find_of_main(name);
+  }
+  return outside != nullptr ? import(*outside) : -1;
 }
 
 std::int32_t KnownVariables::import(const Variable& variable) {

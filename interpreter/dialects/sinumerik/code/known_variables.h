@@ -9,7 +9,8 @@
 
 namespace g31::sinumerik {
 
-/// The variables that a program knows: its own, and the global ones that it names.
+/// The variables that a program knows: its own, and of those that it names the global ones and
+/// those of the main program.
 class KnownVariables : private BlockPart {
  public:
   /// All outlive them.

@@ -71,7 +71,9 @@ void ProgramLibrary::add_folder(const std::string& folder) {
     const std::string path = joined(folder, name);
     if (is_definition(parts)) {
       // A user's PGUD seldom has all that the shipped one has: that fills in what is missing.
-      if (!is_opened(path) && (is_shipped(path) || is_new_definition(parts))) {
+      const bool counts = !is_opened(path) && (is_shipped(path) || is_new_definition(parts));
+      ProgramFile* const added = counts ? file(path) : nullptr;
+      if (added != nullptr && holds_definitions(parts, added->text().text())) {
         add_file(path);
       }
     } else if (parts.suffix == "ARC") {
@@ -131,8 +133,21 @@ const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
     }
     define_missing(data_, globals_);
     shorten_memory(data_, globals_);
+    if (are_main_variables_global(data_)) {
+      offer_main_variables();
+    }
   });
   return definitions_;
+}
+
+void ProgramLibrary::offer_main_variables() {
+  FiledProgram* const main = any_leads_ ? nullptr : main_program();
+  for (FiledProgram* const program : programs_) {
+    const bool may_lead = any_leads_ && program->name().suffix == "MPF";
+    if (program == main || may_lead) {
+      program->lead(globals_);
+    }
+  }
 }
 
 void ProgramLibrary::expect_axes(const std::map<std::string, char>& names) {

@@ -27,8 +27,8 @@ FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
 /// The files of a control's memory, their texts and the code of their programs: what is the same
 /// for all sessions.  Files are added first; from then on any number of threads may ask.
 ///
-/// Opened are the files that were added, and of folders the definition files and the definitions in
-/// archives.  All other files of folders are read when a session first needs them.
+/// Opened are the files that were added, and of folders what holds definitions and the definitions
+/// in archives.  All other files of folders are read when a session first needs them.
 class ProgramLibrary {
  public:
   /// @param sources  must outlive the library
@@ -51,6 +51,8 @@ class ProgramLibrary {
   /// Data of the set-up sheet, to be known before the first session: those that no definition file
   /// brings are defined by their values.
   void expect_data(SheetData data) { data_ = std::move(data); }
+  /// Each main program that was added may be the one that runs: for those who look at programs.
+  void expect_any_main() { any_leads_ = true; }
   /// What the sheet calls axes beside their letters: "SP1" to 'C'.
   void expect_axes(const std::map<std::string, char>& names);
   /// The INI files: %_N_UFR_INI in an archive that was added, or UFR.INI given by itself.  Loading
@@ -80,6 +82,7 @@ class ProgramLibrary {
 
  private:
   void open(ProgramFile& file, bool only_definitions);
+  void offer_main_variables();
   [[nodiscard]] bool is_shipped(const std::string& path) const;
   [[nodiscard]] bool is_new_definition(const ProgramName& name) const;
 
@@ -93,6 +96,7 @@ class ProgramLibrary {
   std::string shipped_folder_;
   std::vector<std::string> archives_;
   SheetData data_;
+  bool any_leads_ = false;
   std::once_flag defined_;
   std::vector<const CompiledProgram*> definitions_;
   std::mutex read_mutex_;

@@ -75,6 +75,13 @@ const CompiledProgram& FiledProgram::code(const Globals& globals) {
   return *code_;
 }
 
+void FiledProgram::lead(Globals& globals) {
+  source_.leads = true;
+  for (Variable& variable : variables_of_head(source_, globals)) {
+    globals.offer_of_main(std::move(variable));
+  }
+}
+
 const CompiledProgram& FiledProgram::define_in(Globals& globals) {
   std::call_once(once_, [&] { code_ = compile_definitions(source_, globals); });
   return *code_;

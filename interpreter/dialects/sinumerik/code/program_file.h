@@ -24,6 +24,9 @@ class FiledProgram {
   /// @param globals  of the library that the file belongs to
   const CompiledProgram& code(const Globals& globals);
 
+  /// Of a main program, before anything of its subprograms is compiled: they see its variables.
+  void lead(Globals& globals);
+
   /// Of a definition file, before anything else is compiled: what it defines goes into `globals`.
   const CompiledProgram& define_in(Globals& globals);
 

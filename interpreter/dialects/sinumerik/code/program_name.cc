@@ -9,9 +9,34 @@ namespace {
 
 constexpr std::string_view kProgramSuffixes[] = {"MPF", "SPF", "CYC", "DEF", "ARC", "CST", "CPF"};
 constexpr std::string_view kDataSuffix = "INI";
+constexpr std::string_view kDigits = "0123456789";
 
 bool is_suffix(std::string_view text) {
   return std::ranges::find(kProgramSuffixes, text) != std::end(kProgramSuffixes);
+}
+
+/// SGUD, MGUD, UGUD, GUD4 to GUD9, SMAC, MMAC, UMAC (Programming Guide Advanced, reserved block
+/// names), and their like of builders.
+bool is_kept_for_definitions(std::string_view stem) {
+  const std::string_view name = stem.substr(0, stem.find_last_not_of(kDigits) + 1);
+  return name.ends_with("GUD") || name.ends_with("MAC");
+}
+
+/// DEF, DEFINE or REDEF, perhaps behind a block number.
+bool begins_with_definition(std::string_view line) {
+  const auto skip = [&line](std::string_view characters) {
+    line.remove_prefix(std::min(line.find_first_not_of(characters), line.size()));
+  };
+  skip(" \t");
+  const std::string block_number = upper(line.substr(0, 2));
+  if (block_number.size() == 2 && block_number[0] == 'N' &&
+      kDigits.find(block_number[1]) != std::string_view::npos) {
+    line.remove_prefix(1);
+    skip(kDigits);
+    skip(" \t");
+  }
+  const std::string word = upper(line.substr(0, line.find_first_of(" \t")));
+  return word == "DEF" || word == "DEFINE" || word == "REDEF";
 }
 
 }  // namespace
@@ -74,6 +99,20 @@ bool is_data(const ProgramName& name) {
 
 bool is_definition(const ProgramName& name) {
   return name.suffix == "DEF";
+}
+
+bool holds_definitions(const ProgramName& name, std::string_view text) {
+  if (!is_definition(name) || is_kept_for_definitions(name.stem)) {
+    return is_definition(name);
+  }
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (begins_with_definition(text.substr(0, end))) {
+      return true;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
 }
 
 bool is_callable(const ProgramName& name) {

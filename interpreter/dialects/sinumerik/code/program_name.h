@@ -29,6 +29,9 @@ std::string folder_name(std::string_view path);
 bool is_data(const ProgramName& name);
 /// Definition files.
 bool is_definition(const ProgramName& name);
+/// Of them those whose name a control keeps for definitions, MGUD or UMAC, or whose text has some:
+/// other software has files .def, too.
+bool holds_definitions(const ProgramName& name, std::string_view text);
 /// What runs when it is called, not when its turn comes.
 bool is_callable(const ProgramName& name);
 

@@ -88,6 +88,13 @@ void shorten_memory(const SheetData& data, Globals& globals) {
   }
 }
 
+bool are_main_variables_global(const SheetData& data) {
+  return std::ranges::none_of(data, [](const auto& row) {
+    const auto* const value = std::get_if<double>(&row.second);
+    return value != nullptr && *value == 0.0 && upper(row.first) == "$MN_LUD_EXTENDED_SCOPE";
+  });
+}
+
 std::string written_number(double value) {
   std::string number = fmt::format("{}", value);
   if (const std::size_t exponent = number.find('e'); exponent != std::string::npos) {

@@ -20,6 +20,9 @@ void define_missing(const SheetData& data, Globals& globals);
 /// MD28254 and MD28256 of the sheet: how many $AC_PARAM and $AC_MARKER there are.
 void shorten_memory(const SheetData& data, Globals& globals);
 
+/// MD11120 of the sheet: whether subprograms see the variables of the main program (PUD).
+bool are_main_variables_global(const SheetData& data);
+
 /// `NAME=value`, one for each element, as a program would write it.
 std::vector<std::string> assignments_of(const std::string& name, const SheetDatum& datum);
 

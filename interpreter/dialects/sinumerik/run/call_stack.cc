@@ -17,6 +17,15 @@ bool CallStack::is_full() const {
   return begun >= kDeepestLevel;
 }
 
+std::optional<std::string> CallStack::missing_of_main(const CompiledProgram& program) const {
+  if (!program.sees_main || level(0).own_place().first->leads) {
+    return std::nullopt;
+  }
+  const auto found = std::ranges::find(program.variables, Storage::OfMain,
+                                       [](const Variable& one) { return one.storage; });
+  return found != program.variables.end() ? std::optional(found->name) : std::nullopt;
+}
+
 Level& CallStack::next() {
   if (levels_.size() <= depth_ + 1) {
     levels_.push_back(std::make_unique<Level>());

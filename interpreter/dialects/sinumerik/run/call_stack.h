@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,9 @@ class CallStack {
   [[nodiscard]] std::size_t count() const { return levels_.size(); }
   /// Whether no further level may begin.  A text of EXECSTRING counts as one.
   [[nodiscard]] bool is_full() const;
+  /// A variable of the main program that a program names although none runs, but data that are
+  /// loaded; nullopt: there is none.
+  [[nodiscard]] std::optional<std::string> missing_of_main(const CompiledProgram& program) const;
   /// The level that enter() begins.
   Level& next();
   void enter();

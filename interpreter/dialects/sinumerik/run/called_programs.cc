@@ -82,6 +82,9 @@ Result<const CompiledProgram*, Failure> CalledPrograms::text_of(const CompiledPr
   if (made == nullptr) {
     made = programs_.snippet(source, home, "EXECSTRING");
   }
+  if (auto missing = stack_.missing_of_main(*made)) {
+    return failure(AlarmId::NotDefined, *std::move(missing));
+  }
   return made;
 }
 

@@ -63,6 +63,14 @@ Reference Operands::reference(const Variable& known) const {
   found.is_global = known.storage == Storage::Global;
   found.level = stack_.depth();
   found.place = known.place;
+  if (known.storage == Storage::OfMain) {
+    // The main program runs: no text before it sees its variables.
+    const CompiledProgram& main = *stack_.level(0).own_place().first;
+    const auto there = main.locals.find(known.name);
+    G31_EXPECTS(there != main.locals.end());
+    found.level = 0;
+    found.place = main.variables[static_cast<std::size_t>(there->second)].place;
+  }
   found.shape = known.shape;
   found.longest = known.longest;
   found.unit = known.unit;

@@ -29,6 +29,11 @@ MaybeFailure SynchronisedActions::take(const Op& op) {
     code.actions =
         programs_.snippet(operands_.text(list[1].value), *action.home, "synchronised action");
   }
+  for (const CompiledProgram* const part : {code.condition, code.actions}) {
+    if (auto missing = stack_.missing_of_main(*part)) {
+      return failure(AlarmId::NotDefined, *std::move(missing));
+    }
+  }
   action.code = code;
   if (action.scope == ActionScope::NextBlock) {
     next_.push_back(std::move(action));

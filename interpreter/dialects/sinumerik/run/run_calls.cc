@@ -162,6 +162,9 @@ MaybeFailure Calls::enter(const CompiledProgram& program, const std::vector<Boun
   if (stack_.is_full()) {
     return failure(AlarmId::TooManyLevels, program.name);
   }
+  if (auto missing = stack_.missing_of_main(program)) {
+    return failure(AlarmId::NotDefined, *std::move(missing));
+  }
   Level& into = stack_.next();
   into.program = &program;
   into.step = 0;

@@ -32,6 +32,7 @@ bool is_variable(const Globals& globals, const CompiledProgram& program, std::st
   const bool is_r = stem.size() > 1 && stem.front() == 'R' &&
                     std::ranges::all_of(stem.substr(1), [](char c) { return is_digit(c); });
   return is_r || program.locals.contains(stem) || globals.find(stem) != nullptr ||
+         (program.sees_main && globals.find_of_main(stem) != nullptr) ||
          find_system_variable(stem).has_value();
 }
 

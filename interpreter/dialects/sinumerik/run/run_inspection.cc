@@ -174,7 +174,8 @@ std::vector<std::pair<std::string, ShownValue>> Runner::local_values(std::size_t
   const CompiledProgram& program = home(stack_.depth());
   for (std::size_t i = 0; i < program.variables.size(); ++i) {
     const Variable& known = program.variables[i];
-    if (known.storage == Storage::Global || known.type == Type::Frame) {
+    const bool is_of_level = known.storage == Storage::Local || known.storage == Storage::Reference;
+    if (!is_of_level || known.type == Type::Frame) {
       continue;
     }
     const VariableView found = operands_.variable(static_cast<std::int32_t>(i));

@@ -98,11 +98,12 @@ NameKind kind_of_word(const std::string& name) {
 NameKind kind_of_long_name(const Globals& globals, CalledPrograms& programs,
                            const CompiledProgram& program, const std::string& name) {
   const NameKind kind = kind_of_word(name);
-  return kind != NameKind::Unknown                         ? kind
-         : program.locals.contains(name)                   ? NameKind::LocalVariable
-         : globals.find(name) != nullptr                   ? NameKind::UserDatum
-         : !name.empty() && programs.find(name) != nullptr ? NameKind::Cycle
-                                                           : NameKind::Unknown;
+  return kind != NameKind::Unknown                                    ? kind
+         : program.locals.contains(name)                              ? NameKind::LocalVariable
+         : program.sees_main && globals.find_of_main(name) != nullptr ? NameKind::LocalVariable
+         : globals.find(name) != nullptr                              ? NameKind::UserDatum
+         : !name.empty() && programs.find(name) != nullptr            ? NameKind::Cycle
+                                                                      : NameKind::Unknown;
 }
 
 }  // namespace
