@@ -13,6 +13,9 @@ using Quartic = std::array<AxisPositions, 5>;
 /// fourth derivative.
 constexpr double kHermite = 384.0;
 
+/// mm or deg: a control puts out whole increments, so with the last half of one a lag has ended.
+constexpr double kHalfIncrement = 5e-4;
+
 AxisPositions value_of(const Quartic& q, double t) {
   return q[0] + t * (q[1] + t * (q[2] + t * (q[3] + t * q[4])));
 }
@@ -208,8 +211,8 @@ double FilterStage::rest_s() const {
   double longest_s = 0.0;
   for (Eigen::Index axis = 0; axis < behind_.size(); ++axis) {
     const double left = std::abs(behind_[axis]);
-    if (left > kFilterErrorMm) {
-      longest_s = std::max(longest_s, time_s_[axis] * std::log(left / kFilterErrorMm));
+    if (left > kHalfIncrement) {
+      longest_s = std::max(longest_s, time_s_[axis] * std::log(left / kHalfIncrement));
     }
   }
   return longest_s;

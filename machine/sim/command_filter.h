@@ -48,7 +48,8 @@ class FilterStage {
 /// What smooths the command of the axes behind the interpolation.  A value: it holds what of the
 /// command is still on its way.
 ///
-/// Accuracy: of means of straight commands at a steady speed exact; else within kFilterErrorMm.
+/// Accuracy: of means of straight commands at a steady speed exact; else within kFilterErrorMm, but
+/// for the last half increment of a lag, which comes at once.
 class CommandFilter {
  public:
   CommandFilter() = default;

@@ -161,6 +161,20 @@ TEST(CommandFilter, AStopWaitsForTheFilterAndTheLag) {
   }
 }
 
+// 2 s at the feed, and the exponential until half an increment is left.
+TEST(CommandFilter, AStopWaitsForTheLastIncrementOfAnExponential) {
+  const double time_s = 0.1;
+  const double left = kSpeed * time_s * (1.0 - std::exp(-2.0 / time_s));
+  const double seconds = 2.0 + time_s * std::log(left / 5e-4);
+  const Smoothed how{FeedFilter::Exponential, time_s, 0.0};
+  MachiningCentre centre(setup_of(how), nullptr);
+  smooth(centre, how);
+  ASSERT_TRUE(centre.move(feed(axes(100, 0, 0), BlockEnd::ExactStop)).ok());
+  EXPECT_NEAR(centre.time_s(), seconds, 1e-9);
+  ASSERT_TRUE(centre.move(feed(axes(200, 0, 0), BlockEnd::ExactStop)).ok());
+  EXPECT_NEAR(centre.time_s(), 2.0 * seconds, 1e-9);
+}
+
 // Without an exact stop what waits waits for the filter: a dwell, a rapid, a look at the clock.
 TEST(CommandFilter, WhatComesBehindAFeedBeginsWhenItsCommandStands) {
   const Smoothed how{FeedFilter::Linear, 0.05, 0.0};
