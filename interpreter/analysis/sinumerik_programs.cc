@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,6 +26,15 @@ bool may_write(const Flow& caller, std::string_view program) {
          (!caller.written.names.empty() &&
           std::ranges::find(caller.written.names, sinumerik::program_name(program).stem) !=
               caller.written.names.end());
+}
+
+/// The line before a program: %_N_NAME_SPF.
+source::Location header_of(const sinumerik::FiledProgram& program) {
+  const sinumerik::ProgramSource& source = program.source();
+  const std::string_view before = source.file->text().substr(0, source.text.begin);
+  const std::string_view line = before.substr(0, before.find_last_not_of("\r\n") + 1);
+  const auto begin = static_cast<std::uint32_t>(line.rfind('\n') + 1);
+  return source.file->at({begin, static_cast<std::uint32_t>(line.size())});
 }
 
 class SinumerikPrograms final : public ProgramSet {
@@ -71,6 +81,25 @@ class SinumerikPrograms final : public ProgramSet {
       all.push_back(flow_of(code));
     }
     return all;
+  }
+
+  std::vector<Finding> hidden_programs(const std::string& path) override {
+    const sinumerik::ProgramFile* const file = memory_->library.file(path);
+    G31_EXPECTS(file != nullptr);
+    std::vector<Finding> hidden;
+    std::map<std::array<std::string, 3>, source::Location> known;
+    for (const auto& program : file->programs()) {
+      const sinumerik::ProgramName& name = program->name();
+      const source::Location header = header_of(*program);
+      const auto [first, is_new] = known.try_emplace({name.folder, name.stem, name.suffix}, header);
+      if (!is_new) {
+        hidden.push_back({RuleId::ProgramTwice, 0, header,
+                          fmt::format("{} appears twice: calls find that of line {}", name.stem,
+                                      sources_.show(first->second).line),
+                          std::string(source::info(source::DiagnosticId::ProgramTwice).remedy)});
+      }
+    }
+    return hidden;
   }
 
   std::vector<Flow> definitions() override {

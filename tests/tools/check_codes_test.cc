@@ -91,6 +91,13 @@ TEST(CheckCodes, AProgramThatIsThereTwiceIsTold) {
             std::string::npos)
       << output.out;
   EXPECT_EQ(testing::g31({"check", folder.write("left.nc", "O1\nO1\nM30\n")}).out, "");
+  const std::string archive = folder.write(
+      "twice.arc",
+      "%_N_A_MPF\n;$PATH=/_N_MPF_DIR\nSUBX\nM30\n%_N_SUBX_SPF\n;$PATH=/_N_SPF_DIR\nR9=1\nM17\n"
+      "%_N_SUBX_SPF\n;$PATH=/_N_CUS_DIR\nR9=3\nM17\n%_N_SUBX_SPF\n;$PATH=/_N_SPF_DIR\nR9=2\nM17\n");
+  EXPECT_EQ(places(testing::g31({"check", archive}).out, folder),
+            (std::vector<std::string>{
+                "twice.arc:13:1: warning: SUBX appears twice: calls find that of line 5 [NC013]"}));
 }
 
 // What stands behind it does not run, and nothing else would say so.
