@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct AxisData {
   AxisPositions jerk_per_s3 = AxisPositions::Zero();  ///< >= 0; 0: not limited
   /// By so much an axis may change its speed at a corner; < 0: the machine's own.
   AxisPositions corner_jump_per_s = AxisPositions::Constant(-1.0);
+  // Soft limits, machine coordinates; an axis that the machine does not have takes none.
+  AxisPositions travel_min = AxisPositions::Constant(-std::numeric_limits<double>::infinity());
+  AxisPositions travel_max = AxisPositions::Constant(std::numeric_limits<double>::infinity());
   FeedFilter feed_filter = FeedFilter::None;       ///< of feeds that are not planned ahead
   AxisPositions filter_s = AxisPositions::Zero();  ///< >= 0, its time constants; 0: none
 };

@@ -73,6 +73,8 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
   axis_data_.stop_fine = AxisPositions::Constant(setup.in_position);
   axis_data_.stop_coarse = kCoarsePerFine * axis_data_.stop_fine;
   axis_data_.jerk_per_s3 = dynamics_.jerks();
+  axis_data_.travel_min = limits_.lower();
+  axis_data_.travel_max = limits_.upper();
   keep_what_follows();
 }
 
@@ -269,6 +271,7 @@ void MachiningCentre::keep_what_follows() {
 void MachiningCentre::set_axis_data(const AxisData& data) {
   dynamics_.set_jerks(data.jerk_per_s3);
   dynamics_.set_corner_jumps(data.corner_jump_per_s);
+  limits_.set(data.travel_min, data.travel_max);
   if (data.feed_filter != axis_data_.feed_filter || data.filter_s != axis_data_.filter_s) {
     stand_still();
     real_.take(data);

@@ -24,6 +24,16 @@ TravelLimits::TravelLimits(const MachineSetup& setup)
   }
 }
 
+void TravelLimits::set(const AxisPositions& q_M_min, const AxisPositions& q_M_max) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    if (present_[i]) {
+      min_[axis] = q_M_min[axis];
+      max_[axis] = q_M_max[axis];
+    }
+  }
+}
+
 std::optional<AxisTravel> TravelLimits::of(int axis) const {
   return present_.at(static_cast<std::size_t>(axis))
              ? std::optional(AxisTravel{min_[axis], max_[axis]})

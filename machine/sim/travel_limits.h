@@ -16,6 +16,11 @@ class TravelLimits {
  public:
   explicit TravelLimits(const MachineSetup& setup);
 
+  /// The limits of the axes that there are become others.
+  void set(const AxisPositions& q_M_min, const AxisPositions& q_M_max);
+  [[nodiscard]] const AxisPositions& lower() const { return min_; }
+  [[nodiscard]] const AxisPositions& upper() const { return max_; }
+
   /// Whether a position lies within the travel of every axis; the limits themselves do.
   [[nodiscard]] bool contain(const AxisPositions& q_M) const {
     // The nearest limit of all axes at once: asked axis by axis it takes twice as long.

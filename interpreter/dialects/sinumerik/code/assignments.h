@@ -37,7 +37,9 @@ class Assignments : private BlockPart {
   void repeat_value(const Expr& target);
   void assign_component(const Expr& frame);
   void assign_character(const Expr& target);
-  void check_value(const Expr& target, Operand value);
+  /// What an assignment is of.
+  enum class Reach { Element, Array };
+  void check_value(const Expr& target, Operand value, Reach reach);
 
   KnownVariables& variables_;
   Expressions& expressions_;

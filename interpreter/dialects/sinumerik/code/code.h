@@ -95,6 +95,7 @@ struct Variable {
   Limits limits;
   DatumUnit unit = DatumUnit::Plain;
   std::optional<double> fixed;  ///< a datum that is kept: the value that g31 goes on as with
+  bool is_watched = false;      ///< a datum that counts once it is written
   bool is_by_axis = false;      ///< its last index is an axis: rotary axes count in degrees
 };
 

@@ -89,7 +89,7 @@ void Assignments::assign_list(const Expr& target) {
     if (!omitted) {
       list.back() = argument_of(
           operations_.convert(expressions_.expression(), target.type, AlarmId::InitialValueType));
-      check_value(target, list.back().value);
+      check_value(target, list.back().value, Reach::Array);
     }
     if (!cursor_.accept(Symbol::Comma)) {
       break;
@@ -106,7 +106,7 @@ void Assignments::repeat_value(const Expr& target) {
   expect(Symbol::LeftParen);
   std::vector<Argument> list = {argument_of(
       operations_.convert(expressions_.expression(), target.type, AlarmId::InitialValueType))};
-  check_value(target, list.front().value);
+  check_value(target, list.front().value, Reach::Array);
   if (cursor_.accept(Symbol::Comma)) {
     list.push_back(argument_of(operations_.convert(expressions_.expression(), Type::Int)));
   }
@@ -157,13 +157,15 @@ void Assignments::assign_character(const Expr& target) {
                                         behind, string.where));
 }
 
-void Assignments::check_value(const Expr& target, Operand value) {
+void Assignments::check_value(const Expr& target, Operand value, Reach reach) {
   const Variable& known = program_.variables[static_cast<std::size_t>(target.variable)];
   if (!failed() && is_number(known.type) && (known.limits.low || known.limits.high)) {
     code_.emit(OpCode::CheckLimits, {}, value, variable_number(target.variable), target.where);
   }
-  if (!failed() && known.fixed) {
-    code_.emit(OpCode::TellFixed, {}, value, variable_number(target.variable), target.where);
+  if (!failed() && (known.fixed || known.is_watched)) {
+    code_.emit(OpCode::WatchDatum, target.element, value, variable_number(target.variable),
+               target.where);
+    code_.last().detail = reach == Reach::Array ? 1 : 0;
   }
 }
 
@@ -172,7 +174,7 @@ void Assignments::store(const Expr& target, Expr value) {
   if (failed()) {
     return;
   }
-  check_value(target, value.value);
+  check_value(target, value.value, Reach::Element);
   const Variable& known = program_.variables[static_cast<std::size_t>(target.variable)];
   const ShortSpan where{target.where.begin, std::max(target.where.end, value.where.end)};
   const bool is_plain = target.is_constant && is_held_as_number(target.type);

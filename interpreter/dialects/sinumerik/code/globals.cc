@@ -57,7 +57,9 @@ Globals::Globals() {
   for (const MachineDatum& row : machine_data()) {
     Variable variable = row_variable(row.name, row.type, row.count);
     variable.unit = row.unit;
-    variable.fixed = row.is_fixed ? std::optional(row.preset) : std::nullopt;
+    variable.fixed =
+        row.effect == MachineDatum::Effect::Fixed ? std::optional(row.preset) : std::nullopt;
+    variable.is_watched = row.effect == MachineDatum::Effect::Watched;
     const std::int32_t place = define(variable)->place;
     if (is_number(row.type)) {
       std::fill(layout_.numbers.begin() + place, layout_.numbers.end(), row.preset);

@@ -131,7 +131,7 @@ void add_variables(Topics& all) {
     if (row.count > 0) {
       entry.facts.push_back({"elements", std::to_string(row.count)});
     }
-    if (row.is_fixed) {
+    if (row.effect == MachineDatum::Effect::Fixed) {
       entry.facts.push_back({"here", "g31 goes on as with the value before the start (PRB331)"});
     }
     all.push_back({text(row.name), std::to_string(row.number), std::move(entry)});

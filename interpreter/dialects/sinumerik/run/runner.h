@@ -99,7 +99,7 @@ class Runner {
   MaybeFailure end_program(const Op& op);
   MaybeFailure raise(const Op& op);
   MaybeFailure surplus_end(const Op& op);
-  MaybeFailure tell_fixed(const Op& op);
+  MaybeFailure watch_datum(const Op& op);
   MaybeFailure tell_not_simulated(const Op& op);
   // Those that a part does.
   MaybeFailure call_function(const Op& op) { return functions_.call(op); }

@@ -27,10 +27,20 @@ MaybeFailure Runner::surplus_end(const Op& /*op*/) {
   return std::nullopt;
 }
 
-MaybeFailure Runner::tell_fixed(const Op& op) {
+MaybeFailure Runner::watch_datum(const Op& op) {
   const Variable& datum = level().program->variables[static_cast<std::size_t>(op.b.place)];
   const double value = operands_.number(op.a);
-  if (value != datum.fixed) {
+  if (datum.is_watched) {
+    const auto first = static_cast<std::size_t>(datum.place);
+    const auto count = static_cast<std::size_t>(datum.shape.count());
+    const auto element = static_cast<std::size_t>(std::max(operands_.number(op.result), 0.0));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (op.detail != 0 || i == element) {
+        channel_.motion_data.written(first + i);
+      }
+    }
+  }
+  if (datum.fixed && value != datum.fixed) {
     channel_.warnings.add(channel_.diagnostics, source::DiagnosticId::DatumWithoutEffect,
                           stack_.here(),
                           fmt::format("{} = {}: the run goes on as with {}", datum.name, value,

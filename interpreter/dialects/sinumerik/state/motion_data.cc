@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 
@@ -22,6 +23,8 @@ MotionData::MotionData(const Globals& globals)
       jerk_(globals.place("$MA_MAX_AX_JERK")),
       acceleration_(globals.place("$MA_MAX_AX_ACCEL")),
       overload_(globals.place("$MA_MAX_ACCEL_OVL_FACTOR")),
+      limit_minus_(globals.place("$MA_POS_LIMIT_MINUS")),
+      limit_plus_(globals.place("$MA_POS_LIMIT_PLUS")),
       clock_(globals.place("$MN_SYSCLOCK_CYCLE_TIME")),
       clock_ratio_(globals.place("$MN_IPO_SYSCLOCK_TIME_RATIO")),
       stop_mode_(globals.place("$MC_EXACT_POS_MODE")),
@@ -43,10 +46,6 @@ void MotionData::take(const machine::AxisData& of_machine, std::vector<double>& 
     numbers[codes_at_start_ + static_cast<std::size_t>(Group::Acceleration) - 1] =
         number_in_group("SOFT");
   }
-  const auto jerk = numbers.begin() + static_cast<std::ptrdiff_t>(jerk_);
-  jerk_at_start_.assign(jerk, jerk + kLinearAxisCount);
-  const auto overload = numbers.begin() + static_cast<std::ptrdiff_t>(overload_);
-  overload_at_start_.assign(overload, overload + kLinearAxisCount);
   changed(numbers);
 }
 
@@ -58,11 +57,17 @@ machine::AxisData MotionData::data_of(const std::vector<double>& numbers) const 
     data.stop_fine[axis] = positive_or(factor * numbers[stop_fine_ + i], data.stop_fine[axis]);
     data.stop_coarse[axis] =
         positive_or(factor * numbers[stop_coarse_ + i], data.stop_coarse[axis]);
-    if (is_linear_axis(static_cast<int>(i)) && numbers[jerk_ + i] != jerk_at_start_[i] &&
+    if (is_linear_axis(static_cast<int>(i)) && written_.contains(jerk_ + i) &&
         numbers[jerk_ + i] >= 0.0) {
       data.jerk_per_s3[axis] = kMmPerMetre * numbers[jerk_ + i];
     }
-    if (is_linear_axis(static_cast<int>(i)) && numbers[overload_ + i] != overload_at_start_[i]) {
+    if (written_.contains(limit_minus_ + i)) {
+      data.travel_min[axis] = numbers[limit_minus_ + i];
+    }
+    if (written_.contains(limit_plus_ + i)) {
+      data.travel_max[axis] = numbers[limit_plus_ + i];
+    }
+    if (is_linear_axis(static_cast<int>(i)) && written_.contains(overload_ + i)) {
       const double cycle_s = numbers[clock_] * numbers[clock_ratio_];
       const double jump =
           kMmPerMetre * numbers[acceleration_ + i] * (numbers[overload_ + i] - 1.0) * cycle_s;
@@ -73,14 +78,14 @@ machine::AxisData MotionData::data_of(const std::vector<double>& numbers) const 
 }
 
 std::optional<machine::AxisData> MotionData::changed(const std::vector<double>& numbers) {
-  constexpr std::size_t kKinds = 6;
+  constexpr std::size_t kKinds = 8;
   taken_.resize(kKinds * kAxisCount);
-  bool is_other = false;
+  bool is_other = std::exchange(is_new_, false);
   double* taken = taken_.data();
   // Each block asks: bytes are compared faster than numbers.
   constexpr std::size_t kBytes = kAxisCount * sizeof(double);
-  for (const std::size_t place :
-       {stop_fine_, stop_coarse_, stop_factor_, jerk_, acceleration_, overload_}) {
+  for (const std::size_t place : {stop_fine_, stop_coarse_, stop_factor_, jerk_, acceleration_,
+                                  overload_, limit_minus_, limit_plus_}) {
     if (std::memcmp(taken, &numbers[place], kBytes) != 0) {
       is_other = true;
       std::memcpy(taken, &numbers[place], kBytes);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/globals.h"
@@ -17,8 +18,12 @@ class MotionData {
   explicit MotionData(const Globals& globals);
 
   /// The data become those of a machine: MD36010 and MD36000 its windows, MD32431 the jerk of its
-  /// linear axes where it limits it; MD20150 [20] is SOFT then.
+  /// linear axes where it limits it; MD20150 [20] is SOFT then.  MD32431, MD32310, MD36100 and
+  /// MD36110 count once they are written.
   void take(const machine::AxisData& of_machine, std::vector<double>& numbers);
+
+  /// A datum was written that counts from then on.  @param place  among the numbers
+  void written(std::size_t place) { is_new_ = written_.insert(place).second || is_new_; }
 
   /// What the data say of the axes; nullopt: what they said the last time.  Windows times MD36012;
   /// one that is not > 0 leaves the machine's.
@@ -45,6 +50,8 @@ class MotionData {
   std::size_t jerk_;          // of MD32431
   std::size_t acceleration_;  // of MD32300
   std::size_t overload_;      // of MD32310
+  std::size_t limit_minus_;   // of MD36100
+  std::size_t limit_plus_;    // of MD36110
   std::size_t clock_;         // of MD10050
   std::size_t clock_ratio_;   // of MD10070
   std::size_t stop_mode_;     // of MD20550
@@ -53,8 +60,8 @@ class MotionData {
   std::size_t codes_at_start_;  // of MD20150
   machine::AxisData of_machine_;
   std::vector<double> taken_;  // of the data, when they were looked at last
-  std::vector<double> jerk_at_start_;
-  std::vector<double> overload_at_start_;
+  std::set<std::size_t> written_;
+  bool is_new_ = false;
 };
 
 }  // namespace g31::sinumerik

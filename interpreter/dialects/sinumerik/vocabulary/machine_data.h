@@ -16,7 +16,9 @@ struct MachineDatum {
   double preset;
   DatumUnit unit;
   std::string_view text;
-  bool is_fixed;  ///< kept, but g31 goes on as with the preset
+  /// Fixed: kept, but g31 goes on as with the preset.  Watched: counts once it is written.
+  enum class Effect { Usual, Fixed, Watched };
+  Effect effect;
 };
 
 std::span<const MachineDatum> machine_data();
