@@ -45,8 +45,10 @@ constexpr CommandRow kCommands[] = {
      [](CLI::App& command, Options& options) { add_scene_options(command, options.scene); },
      scene_examples,
      [](const Options& options, const WordsOfAll&) { return scene_command(options.scene); }},
-    {"study", "Run a program many times, with varied set-ups, and report statistics.", kLasts,
-     "g31.study/1",
+    {"study",
+     "Run a program many times, with varied set-ups, and report statistics.  What [expect] of a "
+     "sheet says is judged by g31 run.",
+     kLasts, "g31.study/1",
      [](CLI::App& command, Options& options) { add_study_options(command, options.study); },
      study_examples,
      [](const Options& options, const WordsOfAll&) { return study_command(options.study); }},

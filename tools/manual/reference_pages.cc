@@ -48,7 +48,8 @@ constexpr auto kReferencePages = std::to_array<ReferencePage>({
      "`[parameters]` of the set-up sheet sets them; others are kept and have no effect (PRB505).",
      true, kParameters},
     {"reference/fanuc-alarms.md", "Alarms of Fanuc controls",
-     "An alarm ends the program, exit code 3.  `g31 explain 'alarm 115' --control haas` says the "
+     "An alarm ends the program: exit code 3, or 2 where a block cannot be understood, 4 where an "
+     "axis would leave its travel.  `g31 explain 'alarm 115' --control haas` says the "
      "same of one.",
      true, kAlarms},
     {"reference/sinumerik-variables.md", "Variables of the SINUMERIK 828D",

@@ -142,11 +142,13 @@ O1
 G10 L52
 N6001 R00000010
 N10002 R-3
+N1320 P1 R20.
 G11
 #100=1
 M30
 %
 (EXPECT #100 = 1)
+(EXPECT WARNING PRB505 AT 6)
 
 (CASE MB-260 tool life groups are passed over with a warning)
 %

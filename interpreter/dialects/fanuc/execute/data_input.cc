@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -51,6 +52,10 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
     return at_word(AlarmId::DataInputFormat, *r, "R is eight digits 0 or 1, bit 7 first");
   }
   control.apply(parameters);
+  if (!has_effect(fmt::format("{}.X", words.sequence()))) {
+    control.warn_once(source::DiagnosticId::UnknownParameter, control.block,
+                      std::to_string(words.sequence()));
+  }
   return std::nullopt;
 }
 

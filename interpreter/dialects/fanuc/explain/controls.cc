@@ -9,10 +9,10 @@ namespace {
 
 std::string macro_alarm_text(const MacroAlarmRule& rule) {
   return rule.number == MacroAlarmRule::Number::BasePlusValue
-             ? fmt::format("alarm {} + n, n {} to {}, text of {} characters", rule.base,
-                           rule.smallest, rule.largest, rule.text_length)
-             : fmt::format("alarm {}, n {} to {}, text of {} characters", rule.base, rule.smallest,
-                           rule.largest, rule.text_length);
+             ? fmt::format("alarm {} + n, n {} to {}; the screen shows {} characters of its text",
+                           rule.base, rule.smallest, rule.largest, rule.text_length)
+             : fmt::format("alarm {}, n {} to {}; the screen shows {} characters of its text",
+                           rule.base, rule.smallest, rule.largest, rule.text_length);
 }
 
 std::string missing_codes(const Profile& profile) {
