@@ -55,7 +55,7 @@ class FanucTranslation {
   void tell_missing_block(const Word& word);
   [[nodiscard]] std::string target_of(const Word& p) const;
   void add_unsimulated(const Word& code);
-  void constant_jump(const Step& step, Index index, double sequence);
+  void constant_jump(const Step& step, Index index, double sequence, bool goes);
   void stop(Fault fault);
   [[nodiscard]] Fault fault_of(AlarmId id, syntax::ShortSpan where,
                                const std::string& detail) const;
@@ -116,9 +116,7 @@ void FanucTranslation::step(Index index) {
   follow(index);
   Leaves& leaves = builder_.block().leaves;
   leaves.by_alarm = stops_;
-  // A program that this block calls may end the run.
-  const bool may_end = leaves.by_end || leaves.by_return || builder_.has_call();
-  if (leaves.by_running_out && !may_end) {
+  if (leaves.by_running_out && !leaves.by_end && !leaves.by_return) {
     builder_.fault(fault_of(AlarmId::EndOfRecord, block.span,
                             fmt::format("{} ends without M30, M02 or M99", shown_name(program_))));
   }
@@ -141,26 +139,29 @@ void FanucTranslation::follow(Index index) {
       builder_.block().leaves.by_running_out = true;
     }
   }
-  if (!exits.any_label || stops_) {
+  if (stops_) {
     return;
   }
   const bool jumps = step.kind == BlockKind::Goto || step.kind == BlockKind::IfGoto;
   const auto sequence = jumps ? constant_value(step.value) : std::nullopt;
   if (sequence) {
-    constant_jump(step, index, *sequence);
-  } else {
+    constant_jump(step, index, *sequence, exits.any_label);
+  } else if (exits.any_label) {
     builder_.block().to_any_label = true;
   }
 }
 
-/// GOTO with a number that the compiler did not link.
-void FanucTranslation::constant_jump(const Step& step, Index index, double sequence) {
+/// GOTO with a number.
+/// @param goes  the compiler did not link it; else its condition never holds, or it is an edge
+void FanucTranslation::constant_jump(const Step& step, Index index, double sequence, bool goes) {
   const double rounded = std::round(sequence);
   const bool in_range = rounded >= profile_.smallest_target && rounded <= profile_.largest_sequence;
   const auto found =
       in_range ? program_.find_label(static_cast<std::int32_t>(rounded), index) : std::nullopt;
   if (found) {
-    builder_.edge(*found, EdgeKind::Jump);
+    if (goes) {
+      builder_.edge(*found, EdgeKind::Jump);
+    }
     return;
   }
   builder_.fault(fault_of(in_range ? AlarmId::JumpNotFound : AlarmId::IllegalJump,

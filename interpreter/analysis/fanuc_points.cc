@@ -130,9 +130,8 @@ std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, const Pointed
   const Reader reader(block, profile, reading);
   for (const EvaluatedWord& word : words.all()) {
     const bool is_whole = word.form == syntax::ValueForm::Integer && word.number != 0.0;
-    const auto counts = is_whole && !(word.letter == 'K' && may_repeat(words))
-                            ? reader.counts(word.letter)
-                            : std::nullopt;
+    const bool is_count = word.letter == 'K' && !block.calls && may_repeat(words);
+    const auto counts = is_whole && !is_count ? reader.counts(word.letter) : std::nullopt;
     if (counts && std::abs(word.number) / counts->per_unit < counts->least) {
       const std::string written =
           fmt::format("{}{}", syntax::letter_text(word.letter), word.number);

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/analysis/fanuc_comments.h"
+#include "interpreter/analysis/fanuc_doubts.h"
 #include "interpreter/analysis/fanuc_flow.h"
 #include "interpreter/analysis/fanuc_heads.h"
 #include "interpreter/analysis/program_set.h"
@@ -21,15 +23,40 @@ namespace g31::analysis {
 namespace {
 
 /// Which program a call means.  @pre !call.target.empty()
-fanuc::ProgramKey key_of(const Call& call) {
+/// @param factor  above it digits of a number count calls; 0: there is none
+fanuc::ProgramKey key_of(const Call& call, int factor) {
   const std::string& target = call.target;
   fanuc::ProgramKey key;
   if (target.starts_with('<')) {
     key.name = target.substr(1, target.size() - 2);
   } else {
     std::from_chars(target.data() + 1, target.data() + target.size(), key.number);
+    key.number = factor > 0 ? key.number % factor : key.number;
   }
   return key;
+}
+
+/// Whether a program goes back behind its call, whatever it does: it has a plain M99, and no M2 or
+/// M30, no call, and no M99 with a block to go on at.
+bool returns_for_certain(const fanuc::CompiledProgram& program) {
+  bool returns = false;
+  for (const fanuc::Step& step : program.steps) {
+    const syntax::Block& block = program.tree->blocks[step.block];
+    const std::span words =
+        std::span(program.tree->words).subspan(block.first_word, block.word_count);
+    const bool has_p = std::ranges::find(words, 'P', &syntax::Word::letter) != words.end();
+    for (const syntax::Word& word : words) {
+      const bool is_code = word.letter == 'M' || word.letter == 'G' || word.letter == 'T';
+      const bool is_open = is_code && word.form == syntax::ValueForm::Computed;
+      const bool ends = word.letter == 'M' && (word.number == 2.0 || word.number == 30.0);
+      const bool is_return = word.letter == 'M' && word.number == 99.0;
+      if (is_open || ends || fanuc::calls_program(word) || (is_return && has_p)) {
+        return false;
+      }
+      returns = returns || is_return;
+    }
+  }
+  return returns;
 }
 
 class FanucPrograms final : public ProgramSet {
@@ -123,7 +150,11 @@ class FanucPrograms final : public ProgramSet {
     }
     const syntax::Tree& tree = *programs.front()->tree;
     std::vector<Finding> doubts = open_comments(text(path), tree);
-    std::ranges::move(lost_heads(text(path), tree), std::back_inserter(doubts));
+    for (const std::vector<Finding>& more :
+         {lost_heads(text(path), tree), constant_comparisons(text(path), tree),
+          doubled_words(text(path), tree, profile_, reading_)}) {
+      std::ranges::copy(more, std::back_inserter(doubts));
+    }
     return doubts;
   }
 
@@ -131,22 +162,32 @@ class FanucPrograms final : public ProgramSet {
     if (call.target.empty() || call.target == caller.program) {
       return std::nullopt;
     }
-    fanuc::ProgramKey key = key_of(call);
-    const fanuc::CompiledProgram* called = library_.find(key);
-    const int factor = call.kind == Call::Kind::Subprogram ? profile_.count_factor : 0;
-    if (called == nullptr && factor > 0 && key.number >= factor) {
-      key.number %= factor;
-      called = library_.find(key);
-    }
-    if (called != nullptr) {
+    if (const fanuc::CompiledProgram* const called = called_by(call)) {
       return call.start ? missing_start(*called, *call.start) : std::nullopt;
     }
+    const fanuc::ProgramKey key = key_of(call, count_factor(call));
     return fault_of(
         key.name.empty() ? fanuc::AlarmId::CalledNotFound : fanuc::AlarmId::CalledNameNotFound,
         Fault::Kind::Block, call.where, fanuc::missing_program(key));
   }
 
+  bool returns_for_certain(const Call& call) override {
+    const fanuc::CompiledProgram* const called =
+        call.target.empty() || call.kind == Call::Kind::Modal ? nullptr : called_by(call);
+    return called != nullptr && analysis::returns_for_certain(*called);
+  }
+
  private:
+  [[nodiscard]] int count_factor(const Call& call) const {
+    return call.kind == Call::Kind::Subprogram ? profile_.count_factor : 0;
+  }
+
+  /// nullptr: there is none.  M98 P51000 calls O1000 five times where no program is O51000.
+  [[nodiscard]] const fanuc::CompiledProgram* called_by(const Call& call) {
+    const fanuc::CompiledProgram* const called = library_.find(key_of(call, 0));
+    return called != nullptr ? called : library_.find(key_of(call, count_factor(call)));
+  }
+
   /// M98 P Q: the program has no such block.
   [[nodiscard]] std::optional<Fault> missing_start(const fanuc::CompiledProgram& called,
                                                    const Call::Start& start) const {

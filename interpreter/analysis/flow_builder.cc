@@ -59,10 +59,6 @@ void FlowBuilder::move(Move::Kind kind, const std::vector<AxisTarget>& axes) {
   flow_.axes.insert(flow_.axes.end(), axes.begin(), axes.end());
 }
 
-bool FlowBuilder::has_call() const {
-  return flow_.calls.size() > flow_.blocks.back().calls.first;
-}
-
 Flow FlowBuilder::finish() {
   end_block();
   return std::move(flow_);

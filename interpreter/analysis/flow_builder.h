@@ -31,7 +31,6 @@ class FlowBuilder {
   void edge(BlockIndex to, EdgeKind kind) { edges_.push_back({to, kind}); }
   void fault(Fault fault) { flow_.faults.push_back(std::move(fault)); }
   void call(Call call) { flow_.calls.push_back(std::move(call)); }
-  [[nodiscard]] bool has_call() const;
   /// @param access  its variable is told by the first parameter
   void access(const Variable& variable, Access access);
   void move(Move::Kind kind, const std::vector<AxisTarget>& axes);

@@ -49,6 +49,8 @@ class ProgramSet {
   virtual std::vector<Flow> definitions() { return {}; }
   /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.
   virtual std::optional<Fault> missing_program(const Flow& caller, const Call& call) = 0;
+  /// Whether the program of a call goes back behind it whatever it does: it cannot end the run.
+  virtual bool returns_for_certain(const Call& /*call*/) { return false; }
   /// What is wrong with the arguments of a call that finds its program; nullopt: nothing, or only a
   /// run knows.
   virtual std::optional<Fault> wrong_arguments(const Flow& /*caller*/, const Call& /*call*/) {

@@ -46,7 +46,8 @@ class Findings {
     for (BlockIndex i = 0; i < flow.blocks.size(); ++i) {
       const Block& block = flow.blocks[i];
       for (const Fault& fault : flow.faults_of(block)) {
-        if (fault.kind != Fault::Kind::End || (reached[i] && is_readable)) {
+        const bool runs_out = reached[i] && is_readable && !may_end_run(flow, block);
+        if (fault.kind != Fault::Kind::End || runs_out) {
           add(flow, fault, rule_of(fault.kind), reached[i]);
         }
       }
@@ -64,6 +65,12 @@ class Findings {
   }
 
  private:
+  /// Whether a program that the block calls may do so.
+  [[nodiscard]] bool may_end_run(const Flow& flow, const Block& block) {
+    return std::ranges::any_of(flow.calls_of(block), [this](const Call& call) {
+      return !programs_.returns_for_certain(call);
+    });
+  }
   void add_call(const Flow& flow, const Call& call, bool is_reached) {
     if (const auto fault = programs_.missing_program(flow, call)) {
       const bool is_there = fault->kind != Fault::Kind::Block;

@@ -264,6 +264,7 @@ TEST(Check, ConstantsThatDoNotFitOnAFanucAreTold) {
           "part.nc:14:6: error: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC002]",
           "part.nc:15:4: error: alarm 3, TOO MANY DIGITS: 9 digits, the control takes 8 here "
           "[NC002]",
+          "part.nc:17:3: warning: two constants are compared: it always comes out the same [NC017]",
           "part.nc:17:19: warning: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC003]",
           "part.nc:22:4: error: alarm 112, DIVIDED BY ZERO: TAN of 450 [NC002]",
           "part.nc:23:4: error: alarm 119, ILLEGAL ARGUMENT: BIN of 10 [NC002]",
