@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,13 +16,50 @@
 namespace g31::parts {
 namespace {
 
-/// Whether an entity describes geometry: Open CASCADE follows what such ones name without asking
-/// whether it is there.
-bool is_geometry(const Handle(Standard_Transient) & entity) {
-  constexpr std::array<std::string_view, 3> kPackages = {"StepGeom_", "StepShape_", "StepRepr_"};
-  const std::string_view type = entity->DynamicType()->Name();
+bool begins_with_one_of(std::string_view type, std::span<const std::string_view> beginnings) {
   return std::ranges::any_of(
-      kPackages, [type](std::string_view package) { return type.starts_with(package); });
+      beginnings, [type](std::string_view beginning) { return type.starts_with(beginning); });
+}
+
+/// Whether Open CASCADE follows what entities of this type name without asking whether it is there.
+bool is_followed(std::string_view type) {
+  constexpr std::array<std::string_view, 3> kPackages = {"StepGeom_", "StepShape_", "StepRepr_"};
+  return begins_with_one_of(type, kPackages);
+}
+
+/// Whether a body may be another one where such an entity does not fit its schema.  Properties,
+/// dimensions and what a drawing shows are none of it, and many systems write them otherwise.
+bool shapes_bodies(std::string_view type) {
+  constexpr std::array<std::string_view, 9> kDimensions = {
+      "StepShape_Dimensional", "StepShape_Directed",  "StepShape_PlusMinus",
+      "StepShape_Tolerance",   "StepShape_Limits",    "StepShape_Angular",
+      "StepShape_Measure",     "StepShape_Qualified", "StepShape_ValueFormat"};
+  constexpr std::array<std::string_view, 5> kPlacing = {
+      "StepRepr_ItemDefined", "StepRepr_MappedItem", "StepRepr_RepresentationMap",
+      "StepRepr_RepresentationRelationship", "StepRepr_ShapeRepresentationRelationship"};
+  return type.starts_with("StepGeom_") || begins_with_one_of(type, kPlacing) ||
+         (type.starts_with("StepShape_") && !begins_with_one_of(type, kDimensions));
+}
+
+/// Whether what Open CASCADE says of an entity is no fault of a body: a name that is left out, or
+/// an item of a drawing among those of a representation.
+bool is_harmless(std::string_view fail) {
+  return fail.find("name) not a quoted String") != fail.npos ||
+         fail.find("description) ") != fail.npos ||
+         (fail.find("representation_item)") != fail.npos &&
+          fail.find("Entity has illegal type") != fail.npos);
+}
+
+bool is_faulty(std::string_view type, const Handle(Interface_Check) & check) {
+  bool has_fault = false;
+  for (int i = 1; i <= check->NbFails(); ++i) {
+    const std::string_view fail = check->CFail(i);
+    if (fail.find("reference to another entity is unresolved") != fail.npos) {
+      return true;
+    }
+    has_fault = has_fault || !is_harmless(fail);
+  }
+  return has_fault && shapes_bodies(type);
 }
 
 /// What is wrong with the entities of a file that was read; "": nothing.
@@ -29,7 +67,11 @@ std::string faults_of(const Handle(StepData_StepModel) & model) {
   int faults = 0;
   int first = 0;
   for (int i = 1; i <= model->NbEntities(); ++i) {
-    if (model->IsErrorEntity(i) && is_geometry(model->Value(i))) {
+    if (!model->IsErrorEntity(i)) {
+      continue;
+    }
+    const std::string_view type = model->Value(i)->DynamicType()->Name();
+    if (is_followed(type) && is_faulty(type, model->ReportEntity(i)->Check())) {
       first = faults++ == 0 ? model->IdentLabel(model->Value(i)) : first;
     }
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -42,6 +43,13 @@ std::string_view first_word(std::string_view text) {
 
 using StlCorners = std::array<Point, 3>;
 
+/// What is left of a difference of floats stands for 0 in one facet, and the next one has the 0: a
+/// corner is one place.
+double without_noise(double coordinate) {
+  constexpr double kNoise = 1e-12;
+  return std::abs(coordinate) < kNoise ? 0.0 : coordinate;
+}
+
 StlCorners corners_of_facet(const char* facet) {
   constexpr std::size_t kNormal = 12;  // bytes
   StlCorners corners;
@@ -49,7 +57,7 @@ StlCorners corners_of_facet(const char* facet) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t at = kNormal + 4 * (3 * corner + axis);
       corners.at(corner)[static_cast<Eigen::Index>(axis)] =
-          static_cast<double>(std::bit_cast<float>(little_endian_32(facet + at)));
+          without_noise(static_cast<double>(std::bit_cast<float>(little_endian_32(facet + at))));
     }
   }
   return corners;
@@ -139,7 +147,7 @@ class TextStl {
         expected("a number");
         return 0;
       }
-      coordinate = *number;
+      coordinate = without_noise(*number);
       digits_.take(word);
     }
     return wrong_.empty() ? weld_.vertex_at(p) : 0;

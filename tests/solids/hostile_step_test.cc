@@ -125,6 +125,31 @@ TEST(HostileStep, AnEntityThatIsNotThereIsNamed) {
   EXPECT_NE(mesh.error().find("name others that are not there"), std::string::npos) << mesh.error();
 }
 
+// What is none of the body does not make a file broken: properties, names left out, callouts.
+TEST(HostileStep, WhatSystemsWriteBesideTheBodyIsNoFault) {
+  const testing::TemporaryFolder folder;
+  const std::string text = product_text();
+  const auto product = parts::read_step_file(kProduct, 0.01);
+  ASSERT_TRUE(product.ok());
+  for (const std::string beside :
+       {"#9001=DESCRIPTIVE_REPRESENTATION_ITEM('AMS 4928');\n"
+        "#9002=REPRESENTATION('material name',(#9001),#892);\n",
+        "#9001=INTEGER_REPRESENTATION_ITEM('count',3.);\n",
+        "#9001=ITEM_DEFINED_TRANSFORMATION($,$,#11,#11);\n",
+        "#9001=LEADER_DIRECTED_CALLOUT('',(#9003));\n#9003=ANNOTATION_CURVE_OCCURRENCE('',(),#9004)"
+        ";\n"
+        "#9004=POLYLINE('',(#12,#12));\n#9002=SHAPE_REPRESENTATION('',(#9001),#892);\n"}) {
+    std::string whole = text;
+    whole.insert(whole.rfind("ENDSEC;"), beside);
+    const auto mesh = parts::read_step_file(folder.write("beside.step", whole), 0.01);
+    ASSERT_TRUE(mesh.ok()) << beside << mesh.error();
+    EXPECT_EQ(mesh.value().triangles.size(), product.value().triangles.size()) << beside;
+  }
+  std::string cut = text;
+  cut.insert(cut.rfind("ENDSEC;"), "#9002=SHAPE_REPRESENTATION('',(#9001),#892);\n");
+  EXPECT_FALSE(parts::read_step_file(folder.write("cut.step", cut), 0.01).ok());
+}
+
 /// A mesh as a text STL.
 std::string stl_of(const parts::Mesh& mesh) {
   std::string text = "solid part\n";
