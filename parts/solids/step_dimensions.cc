@@ -17,6 +17,7 @@
 #include <StepRepr_ReprItemAndMeasureWithUnit.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_ShapeAspect.hxx>
+#include <StepRepr_ShapeAspectRelationship.hxx>
 #include <StepShape_DimensionalCharacteristic.hxx>
 #include <StepShape_DimensionalCharacteristicRepresentation.hxx>
 #include <StepShape_DimensionalLocation.hxx>
@@ -60,12 +61,40 @@ Handle(StepBasic_MeasureWithUnit) measure_in(const Entity& item) {
   return simple.IsNull() ? Handle(StepBasic_MeasureWithUnit)() : simple->Measure();
 }
 
-/// The one length of a representation; nullopt: there is none, or limits stand there.
-std::optional<double> nominal_in(const Handle(StepShape_ShapeDimensionRepresentation) & values) {
-  if (values.IsNull() || values->Items().IsNull() || values->NbItems() != 1) {
-    return std::nullopt;
+/// The lengths of a representation by their names: a value alone, or beside it its limits, "upper
+/// limit" and "lower limit" (ISO 10303-47), of which the nominal value without one is the mean.
+/// @returns false: there is no length, or another number of values
+bool take_values(const Handle(StepShape_ShapeDimensionRepresentation) & values,
+                 StepDimension& dimension) {
+  if (values.IsNull() || values->Items().IsNull()) {
+    return false;
   }
-  return length_of(measure_in(values->ItemsValue(1)));
+  std::optional<double> nominal;
+  std::optional<double> lower;
+  std::optional<double> upper;
+  for (int i = 1; i <= values->NbItems(); ++i) {
+    const Handle(StepRepr_RepresentationItem) item = values->ItemsValue(i);
+    const bool is_named = !item.IsNull() && !item->Name().IsNull();
+    const std::string_view name = is_named ? item->Name()->ToCString() : "";
+    std::optional<double>& value = name == "upper limit"   ? upper
+                                   : name == "lower limit" ? lower
+                                                           : nominal;
+    const auto length = length_of(measure_in(item));
+    if (value || !length) {
+      return false;
+    }
+    value = length;
+  }
+  if (upper.has_value() != lower.has_value() || (upper && *lower > *upper)) {
+    return false;
+  }
+  if (upper) {
+    nominal = nominal.value_or(0.5 * (*lower + *upper));
+    dimension.lower_mm = *lower - *nominal;
+    dimension.upper_mm = *upper - *nominal;
+  }
+  dimension.nominal_mm = nominal.value_or(0.0);
+  return nominal.has_value();
 }
 
 bool is_radius(const Handle(StepShape_DimensionalSize) & size) {
@@ -80,6 +109,7 @@ class DimensionReader {
         transferred_(reader.WS()->TransferReader()->TransientProcess()) {
     for (int i = 1; i <= model_->NbEntities(); ++i) {
       note_faces(model_->Value(i));
+      note_members(model_->Value(i));
       note_tolerance(model_->Value(i));
     }
   }
@@ -92,14 +122,12 @@ class DimensionReader {
       if (entity.IsNull()) {
         continue;
       }
-      const auto nominal = nominal_in(entity->Representation());
       const Entity what = entity->Dimension().Value();
       StepDimension dimension;
       dimension.faces = faces_of(what);
-      if (!nominal || dimension.faces.empty()) {
+      if (dimension.faces.empty() || !take_values(entity->Representation(), dimension)) {
         continue;
       }
-      dimension.nominal_mm = *nominal;
       take_tolerance(what, dimension);
       found.push_back(std::move(dimension));
     }
@@ -120,6 +148,18 @@ class DimensionReader {
         faces_[aspect.get()].push_back(TopoDS::Face(shape));
       }
     }
+  }
+
+  /// A hole that is drawn as two halves is a composite of theirs, to which its diameter applies.
+  void note_members(const Entity& entity) {
+    const bool is_plain = !entity.IsNull() &&
+                          entity->DynamicType() == STANDARD_TYPE(StepRepr_ShapeAspectRelationship);
+    const auto relation = Handle(StepRepr_ShapeAspectRelationship)::DownCast(entity);
+    if (!is_plain || relation->RelatingShapeAspect().IsNull() ||
+        relation->RelatedShapeAspect().IsNull()) {
+      return;
+    }
+    members_[relation->RelatingShapeAspect().get()].push_back(relation->RelatedShapeAspect().get());
   }
 
   void note_tolerance(const Entity& entity) {
@@ -153,10 +193,17 @@ class DimensionReader {
 
   [[nodiscard]] std::vector<TopoDS_Face> faces_of(const Entity& what) const {
     std::vector<TopoDS_Face> faces;
-    const auto add = [&](const Handle(StepRepr_ShapeAspect) & aspect) {
-      const auto found = faces_.find(aspect.get());
+    const auto add_own = [&](const StepRepr_ShapeAspect* aspect) {
+      const auto found = faces_.find(aspect);
       if (found != faces_.end()) {
         faces.insert(faces.end(), found->second.begin(), found->second.end());
+      }
+      return found != faces_.end();
+    };
+    const auto add = [&](const Handle(StepRepr_ShapeAspect) & aspect) {
+      const auto members = members_.find(aspect.get());
+      if (!add_own(aspect.get()) && members != members_.end()) {
+        std::ranges::for_each(members->second, add_own);
       }
     };
     if (const auto size = Handle(StepShape_DimensionalSize)::DownCast(what);
@@ -174,6 +221,7 @@ class DimensionReader {
   Handle(StepData_StepModel) model_;
   Handle(Transfer_TransientProcess) transferred_;
   std::map<const StepRepr_ShapeAspect*, std::vector<TopoDS_Face>> faces_;
+  std::map<const StepRepr_ShapeAspect*, std::vector<const StepRepr_ShapeAspect*>> members_;
   std::map<const Standard_Transient*, Handle(StepShape_ToleranceValue)> tolerances_;
 };
 

@@ -19,7 +19,8 @@ struct StepDimension {
 };
 
 /// The lengths among the dimensions of a file whose roots are transferred, with plus-minus
-/// tolerances.  Radii, angles, limits and fits are left out, and dimensions of no faces.
+/// tolerances or limits; of a composite aspect the faces of its members.  Radii, angles and fits
+/// are left out, and dimensions of no faces.
 std::vector<StepDimension> dimensions_of(const STEPControl_Reader& reader);
 
 }  // namespace g31::parts

@@ -137,6 +137,66 @@ TEST(DrawnDimensions, AreNominalSizesAndTolerances) {
   EXPECT_EQ(drawn, 3);
 }
 
+/// A diameter of F3 that applies to a composite of its face, with the values of a representation
+/// and what stands beside them.
+std::string composite(int face, const std::string& values, const std::string& beside) {
+  const auto length = [](int number, double value, const std::string& name) {
+    return fmt::format(
+        "#{} = ( LENGTH_MEASURE_WITH_UNIT() MEASURE_REPRESENTATION_ITEM() "
+        "MEASURE_WITH_UNIT(LENGTH_MEASURE({:.3f}),#893) REPRESENTATION_ITEM('{}') );\n",
+        number, value, name);
+  };
+  return fmt::format(
+             "#1200 = COMPOSITE_SHAPE_ASPECT('','',#4,.F.);\n"
+             "#1201 = SHAPE_ASPECT('','',#4,.T.);\n"
+             "#1202 = SHAPE_ASPECT_RELATIONSHIP('','',#1200,#1201);\n"
+             "#1203 = GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#1201,#10,#{});\n"
+             "#1204 = DIMENSIONAL_SIZE(#1200,'diameter');\n"
+             "#1205 = SHAPE_DIMENSION_REPRESENTATION('',({}),#892);\n"
+             "#1206 = DIMENSIONAL_CHARACTERISTIC_REPRESENTATION(#1204,#1205);\n",
+             face, values) +
+         length(1207, 20.0, "nominal value") + length(1208, 20.2, "upper limit") +
+         length(1209, 19.9, "lower limit") + beside;
+}
+
+TEST(DrawnDimensions, OfCompositesAndWithLimitsAreTaken) {
+  const StepText step;
+  const testing::TemporaryFolder folder;
+  const int face = step.face("CYLINDRICAL_SURFACE", "(30.,85.,");
+  const std::string plus_minus =
+      "#1210 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(-0.1),#893);\n"
+      "#1211 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.2),#893);\n"
+      "#1212 = TOLERANCE_VALUE(#1210,#1211);\n#1213 = PLUS_MINUS_TOLERANCE(#1212,#1204);\n";
+  struct Case {
+    const char* what;
+    std::string text;
+    double nominal;
+    double lower;
+    double upper;
+  };
+  const Case kCases[] = {
+      {"plus-minus", composite(face, "#1207", plus_minus), 20.0, -0.1, 0.2},
+      {"limits", composite(face, "#1207,#1208,#1209", ""), 20.0, -0.1, 0.2},
+      {"limits alone", composite(face, "#1208,#1209", ""), 20.05, -0.15, 0.15},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.what);
+    const auto removal = parts::removal_of(folder.write("product.step", step.with(c.text)), {});
+    ASSERT_TRUE(removal.ok()) << removal.error();
+    ASSERT_EQ(removal.value().dimensions.size(), 1U);
+    const parts::DrawnDimension& dimension = removal.value().dimensions.front();
+    EXPECT_EQ(dimension.faces.size(), 1U);
+    EXPECT_NEAR(dimension.nominal_mm, c.nominal, 1e-12);
+    ASSERT_TRUE(dimension.lower_mm && dimension.upper_mm);
+    EXPECT_NEAR(*dimension.lower_mm, c.lower, 1e-12);
+    EXPECT_NEAR(*dimension.upper_mm, c.upper, 1e-12);
+  }
+  const std::string half = composite(face, "#1207,#1208", "");
+  const auto removal = parts::removal_of(folder.write("product.step", step.with(half)), {});
+  ASSERT_TRUE(removal.ok()) << removal.error();
+  EXPECT_TRUE(removal.value().dimensions.empty()) << "one limit alone";
+}
+
 TEST(DrawnDimensions, WithoutAnyThereAreNone) {
   const auto removal = parts::removal_of("parts/library/inspection/product.step", {});
   ASSERT_TRUE(removal.ok()) << removal.error();
