@@ -72,7 +72,8 @@ struct Fault {
   enum class Kind : std::uint8_t {
     Block,         ///< cannot be understood, or the control has no such thing
     Target,        ///< the block or the label that it jumps to is not there
-    End,           ///< nothing stands behind the last block, and nothing ended the program
+    End,           ///< nothing stands behind the last block, and nothing in it ended the program:
+                   ///< what it calls may
     NotSimulated,  ///< g31 does not run this yet; a control does
     Comparison,    ///< no fault of the block: it compares otherwise than it looks
     LostPoint,     ///< the same: a number is read otherwise than it looks

@@ -114,11 +114,12 @@ TEST(FanucFlow, NothingBehindTheLastBlockIsAFault) {
             "0 O1 > 1\n"
             "1 G00X1. out\n"
             "  fault 5010 'G00X1.' END OF RECORD: O0001 ends without M30, M02 or M99\n");
-  // What a call leads to may end the run.
+  // Whether what is called ends the run is asked where its program is known.
   EXPECT_EQ(drawn(Pictured("O1\nM98P9\n").flow),
             "0 O1 > 1\n"
             "1 M98P9 out\n"
-            "  call O0009 'P9'\n");
+            "  call O0009 'P9'\n"
+            "  fault 5010 'M98P9' END OF RECORD: O0001 ends without M30, M02 or M99\n");
 }
 
 TEST(FanucFlow, CallsNameTheirPrograms) {

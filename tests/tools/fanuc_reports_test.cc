@@ -216,9 +216,8 @@ TEST(UnknownParameter, SoIsOneThatIsKnownWithoutEffect) {
   for (const char* const name : {"1620", "1621", "12400", "12401", "19665"}) {
     const auto run =
         run_with("O1\nM30\n", "[parameters]\n\"" + std::string(name) + "\" = 1\n\"12321\" = 3\n");
-    EXPECT_NE(
-        run.errors.find("parameter " + std::string(name) + " in the set-up sheet has no effect"),
-        std::string::npos)
+    EXPECT_NE(run.errors.find("parameter " + std::string(name) + " has no effect here"),
+              std::string::npos)
         << run.errors;
     EXPECT_EQ(run.errors.find("12321"), std::string::npos) << run.errors;
   }
@@ -228,7 +227,7 @@ TEST(UnknownParameter, IsTold) {
   const auto run =
       run_with("O1\nM30\n", "[parameters]\n\"6099.1\" = 1\n\"6001.1\" = 1\n  \"6098\" = 2\n");
   EXPECT_TRUE(mentions(run, "PRB505"));
-  EXPECT_NE(run.errors.find("sheet.toml:2:12: note: parameter 6099.1 in the set-up sheet has no "
+  EXPECT_NE(run.errors.find("sheet.toml:2:12: note: parameter 6099.1 has no "
                             "effect here [PRB505]\n    2 | \"6099.1\" = 1\n      |            ^\n"),
             std::string::npos)
       << run.errors;
