@@ -34,22 +34,21 @@ std::optional<Constant> constant_of(const syntax::Tree& tree, syntax::Index inde
   return number == Constant{false, 0.0} ? std::optional(Constant{true, 0.0}) : std::nullopt;
 }
 
+std::string_view written(const source::SourceFile& file, const Word& word) {
+  return file.text().substr(word.span.begin, word.span.end - word.span.begin);
+}
+
 bool may_call(const Word& word, const fanuc::Profile& profile, const WordReading& reading) {
-  constexpr double kFirstCall = 65.0;
-  constexpr double kLastCall = 67.0;
-  if (word.letter == '/') {
+  const bool is_code = word.letter == 'G' || word.letter == 'M';
+  const bool is_open = is_code && word.form == syntax::ValueForm::Computed;
+  if (word.letter == '/' || is_open || fanuc::calls_program(word) || fanuc::is_return(word)) {
     return true;
   }
-  if (word.letter != 'G' && word.letter != 'M') {
+  if (word.letter != 'G') {
     return false;
-  }
-  if (word.form == syntax::ValueForm::Computed || word.letter == 'M') {
-    return word.form == syntax::ValueForm::Computed || fanuc::calls_program(word) ||
-           fanuc::is_return(word);
   }
   const fanuc::GCode* const code = fanuc::find_g_code(word.number, profile);
   return code == nullptr || code->set != fanuc::CodeSet::Family ||
-         (word.number >= kFirstCall && word.number < kLastCall) ||
          reading.calling_codes.contains(fanuc::nearest_integer(word.number));
 }
 
@@ -84,6 +83,19 @@ const Word* overridden(Words before, const Word& word, const fanuc::Profile& pro
 
 }  // namespace
 
+std::vector<Finding> lost_heads(const source::SourceFile& file, const syntax::Tree& tree) {
+  std::vector<Finding> found;
+  for (const Word& word : tree.words) {
+    if (word.letter == 'O') {
+      found.push_back(
+          {RuleId::LostHead, 0, file.at(word.span.widened()),
+           fmt::format("{} stands within a block, where no program begins", written(file, word)),
+           fmt::format("write {} in a line of its own", written(file, word))});
+    }
+  }
+  return found;
+}
+
 std::vector<Finding> constant_comparisons(const source::SourceFile& file,
                                           const syntax::Tree& tree) {
   std::vector<Finding> found;
@@ -117,12 +129,9 @@ std::vector<Finding> doubled_words(const source::SourceFile& file, const syntax:
       if (lost == nullptr) {
         continue;
       }
-      const auto written = [&](const Word& word) {
-        return file.text().substr(word.span.begin, word.span.end - word.span.begin);
-      };
       found.push_back({RuleId::DoubledWord, 0, file.at(words[i].span.widened()),
                        fmt::format("{} counts, and not {} before it in the block",
-                                   written(words[i]), written(*lost)),
+                                   written(file, words[i]), written(file, *lost)),
                        "leave one of them out, or write two blocks"});
     }
   }

@@ -10,6 +10,10 @@
 
 namespace g31::analysis {
 
+/// Words O behind others of their block: no call finds a program of such a number, and what stands
+/// behind one belongs to the program before it.
+std::vector<Finding> lost_heads(const source::SourceFile& file, const syntax::Tree& tree);
+
 /// Comparisons whose two sides are different numbers, or a number and #0: they always come out the
 /// same, and a # may be missing.  One of a number with itself is a loop without end by intention.
 std::vector<Finding> constant_comparisons(const source::SourceFile& file, const syntax::Tree& tree);

@@ -13,10 +13,10 @@
 #include "interpreter/analysis/fanuc_comments.h"
 #include "interpreter/analysis/fanuc_doubts.h"
 #include "interpreter/analysis/fanuc_flow.h"
-#include "interpreter/analysis/fanuc_heads.h"
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/code/library.h"
+#include "interpreter/dialects/fanuc/code/word_limits.h"
 #include "machine/base/contract.h"
 
 namespace g31::analysis {
@@ -49,11 +49,10 @@ bool returns_for_certain(const fanuc::CompiledProgram& program) {
       const bool is_code = word.letter == 'M' || word.letter == 'G' || word.letter == 'T';
       const bool is_open = is_code && word.form == syntax::ValueForm::Computed;
       const bool ends = word.letter == 'M' && (word.number == 2.0 || word.number == 30.0);
-      const bool is_return = word.letter == 'M' && word.number == 99.0;
-      if (is_open || ends || fanuc::calls_program(word) || (is_return && has_p)) {
+      if (is_open || ends || fanuc::calls_program(word) || (fanuc::is_return(word) && has_p)) {
         return false;
       }
-      returns = returns || is_return;
+      returns = returns || fanuc::is_return(word);
     }
   }
   return returns;

@@ -17,13 +17,14 @@ bool CallStack::is_full() const {
   return begun >= kDeepestLevel;
 }
 
-std::optional<std::string> CallStack::missing_of_main(const CompiledProgram& program) const {
+MaybeFailure CallStack::missing_of_main(const CompiledProgram& program) const {
   if (!program.sees_main || level(0).own_place().first->leads) {
     return std::nullopt;
   }
   const auto found = std::ranges::find(program.variables, Storage::OfMain,
                                        [](const Variable& one) { return one.storage; });
-  return found != program.variables.end() ? std::optional(found->name) : std::nullopt;
+  return found != program.variables.end() ? MaybeFailure(failure(AlarmId::NotDefined, found->name))
+                                          : std::nullopt;
 }
 
 Level& CallStack::next() {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/level.h"
 #include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/outcome.h"
@@ -36,9 +36,9 @@ class CallStack {
   [[nodiscard]] std::size_t count() const { return levels_.size(); }
   /// Whether no further level may begin.  A text of EXECSTRING counts as one.
   [[nodiscard]] bool is_full() const;
-  /// A variable of the main program that a program names although none runs, but data that are
-  /// loaded; nullopt: there is none.
-  [[nodiscard]] std::optional<std::string> missing_of_main(const CompiledProgram& program) const;
+  /// Alarm 12550 where a program names a variable of the main program although none runs, but data
+  /// that are loaded.
+  [[nodiscard]] MaybeFailure missing_of_main(const CompiledProgram& program) const;
   /// The level that enter() begins.
   Level& next();
   void enter();

@@ -82,8 +82,8 @@ Result<const CompiledProgram*, Failure> CalledPrograms::text_of(const CompiledPr
   if (made == nullptr) {
     made = programs_.snippet(source, home, "EXECSTRING");
   }
-  if (auto missing = stack_.missing_of_main(*made)) {
-    return failure(AlarmId::NotDefined, *std::move(missing));
+  if (MaybeFailure missing = stack_.missing_of_main(*made)) {
+    return *std::move(missing);
   }
   return made;
 }

@@ -30,8 +30,8 @@ MaybeFailure SynchronisedActions::take(const Op& op) {
         programs_.snippet(operands_.text(list[1].value), *action.home, "synchronised action");
   }
   for (const CompiledProgram* const part : {code.condition, code.actions}) {
-    if (auto missing = stack_.missing_of_main(*part)) {
-      return failure(AlarmId::NotDefined, *std::move(missing));
+    if (MaybeFailure missing = stack_.missing_of_main(*part)) {
+      return missing;
     }
   }
   action.code = code;

@@ -162,8 +162,8 @@ MaybeFailure Calls::enter(const CompiledProgram& program, const std::vector<Boun
   if (stack_.is_full()) {
     return failure(AlarmId::TooManyLevels, program.name);
   }
-  if (auto missing = stack_.missing_of_main(program)) {
-    return failure(AlarmId::NotDefined, *std::move(missing));
+  if (MaybeFailure missing = stack_.missing_of_main(program)) {
+    return missing;
   }
   Level& into = stack_.next();
   into.program = &program;
