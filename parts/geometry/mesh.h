@@ -14,6 +14,7 @@ struct Mesh {
   std::vector<Point> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   double rounding_mm = 0.0;  ///< by how much the file that it comes from may round coordinates
+  std::uint64_t faces_left_out = 0;  ///< of that file: they belong to none of its bodies
 };
 
 }  // namespace g31::parts

@@ -108,6 +108,7 @@ template <typename Stream>
 void pass(Stream& stream, Mesh& mesh) {
   pass(stream, mesh.vertices);
   pass(stream, mesh.triangles);
+  pass(stream, mesh.faces_left_out);
 }
 
 template <typename Stream>

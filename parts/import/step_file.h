@@ -16,6 +16,7 @@ bool is_step_file(std::string_view path);
 bool can_read_step();
 
 /// Reads the faces of a STEP file as triangles; lengths become mm, whatever the file's unit.
+/// Those of its bodies where it has any (step_shape.h): the others are counted alone.
 ///
 /// Facets have their corners on the true surfaces, and no edge of one is farther from them than
 /// the sagitta; so a hole reads too small, a shaft too small.  Plane faces are exact, and so are

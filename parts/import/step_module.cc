@@ -30,6 +30,14 @@
 namespace g31::parts {
 namespace {
 
+std::uint64_t face_count(const TopoDS_Shape& shape) {
+  std::uint64_t count = 0;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+    ++count;
+  }
+  return count;
+}
+
 /// Adds the triangles of a face that was meshed before; a face without any adds nothing.
 void add_face(const TopoDS_Face& face, Mesh& mesh, VertexWeld& weld) {
   TopLoc_Location location;
@@ -109,11 +117,13 @@ Result<Mesh, std::string> read_faces(const StepReading& reading, std::vector<Rou
   if (!read) {
     return read.error();
   }
-  const TopoDS_Shape& shape = read.value();
+  const TopoDS_Compound bodies = bodies_in(read.value());
+  const TopoDS_Shape& shape = bodies.IsNull() ? read.value() : bodies;
   if (std::string wrong = mesh_all_faces(shape, reading); !wrong.empty()) {
     return wrong;
   }
   Mesh mesh;
+  mesh.faces_left_out = face_count(read.value()) - face_count(shape);
   VertexWeld weld(mesh);
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
     const std::size_t first = mesh.triangles.size();

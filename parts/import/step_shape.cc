@@ -6,11 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_ReportEntity.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <StepData_StepModel.hxx>
+#include <TopExp_Explorer.hxx>
 #include <fmt/format.h>
 
 namespace g31::parts {
@@ -98,6 +101,26 @@ Result<TopoDS_Shape, std::string> read_step_shape(const std::string& path,
     return std::string("not understood as STEP; expected a whole file with at least one body");
   }
   return reader.OneShape();
+}
+
+TopoDS_Compound bodies_in(const TopoDS_Shape& shape) {
+  TopoDS_Compound bodies;
+  const BRep_Builder builder;
+  const auto add = [&](const TopoDS_Shape& body) {
+    if (bodies.IsNull()) {
+      builder.MakeCompound(bodies);
+    }
+    builder.Add(bodies, body);
+  };
+  for (TopExp_Explorer each(shape, TopAbs_SOLID); each.More(); each.Next()) {
+    add(each.Current());
+  }
+  for (TopExp_Explorer each(shape, TopAbs_SHELL, TopAbs_SOLID); each.More(); each.Next()) {
+    if (BRep_Tool::IsClosed(each.Current())) {
+      add(each.Current());
+    }
+  }
+  return bodies;
 }
 
 }  // namespace g31::parts

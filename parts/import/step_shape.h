@@ -3,6 +3,7 @@
 #include <string>
 
 #include <STEPControl_Reader.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "machine/base/result.h"
@@ -16,5 +17,12 @@ namespace g31::parts {
 /// Error: what is wrong, without the path; throws what Open CASCADE throws.
 Result<TopoDS_Shape, std::string> read_step_shape(const std::string& path,
                                                   STEPControl_Reader& reader);
+
+/// The solids of a shape, and closed shells that are part of none; null where it has neither.
+///
+/// What else is in a file that has bodies is drawn as a help, and is no material: planes and axes
+/// of references, surfaces that a body was cut with (CAx-IF, Recommended Practices for
+/// Supplemental Geometry).
+TopoDS_Compound bodies_in(const TopoDS_Shape& shape);
 
 }  // namespace g31::parts

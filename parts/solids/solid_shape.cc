@@ -21,6 +21,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <fmt/format.h>
@@ -69,25 +70,16 @@ Solids from_step(const SolidSource& source) {
   if (!read) {
     return source.name + ": " + read.error();
   }
-  TopoDS_Compound solids;
-  BRep_Builder builder;
-  builder.MakeCompound(solids);
-  bool is_empty = true;
-  const auto add = [&](const TopoDS_Shape& solid) {
-    builder.Add(solids, solid);
-    is_empty = false;
-  };
-  for (TopExp_Explorer each(read.value(), TopAbs_SOLID); each.More(); each.Next()) {
-    add(each.Current());
-  }
-  for (TopExp_Explorer each(read.value(), TopAbs_SHELL, TopAbs_SOLID); each.More(); each.Next()) {
-    const TopoDS_Shell& shell = TopoDS::Shell(each.Current());
-    if (BRep_Tool::IsClosed(shell)) {
-      add(solid_in(shell));
-    }
-  }
-  if (is_empty) {
+  const TopoDS_Compound bodies = bodies_in(read.value());
+  if (bodies.IsNull()) {
     return source.name + ": it holds no solid; expected a body, not surfaces, lines or points";
+  }
+  TopoDS_Compound solids;
+  const BRep_Builder builder;
+  builder.MakeCompound(solids);
+  for (TopoDS_Iterator each(bodies); each.More(); each.Next()) {
+    const TopoDS_Shape& body = each.Value();
+    builder.Add(solids, body.ShapeType() == TopAbs_SHELL ? solid_in(TopoDS::Shell(body)) : body);
   }
   const int faces = count_of(solids, TopAbs_FACE);
   if (faces > kMostFaces) {

@@ -9,11 +9,15 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Vec.hxx>
 #include <gtest/gtest.h>
 
 #include "parts/import/step_file.h"
@@ -21,7 +25,9 @@
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
 #include "tests/support/effort.h"
+#include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
+#include "tools/cli/run_options.h"
 #include "tools/plan/plan_part.h"
 
 namespace g31::step_facets_test {
@@ -96,13 +102,92 @@ TEST(StepFacets, ThatCannotCoverAFaceAreRefused) {
   EXPECT_NE(mesh.error().find("step_sagitta"), std::string::npos) << mesh.error();
 }
 
+TopoDS_Compound together(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& shape : shapes) {
+    builder.Add(all, shape);
+  }
+  return all;
+}
+
+TopoDS_Shape shell_of(const std::vector<TopoDS_Shape>& faces) {
+  TopoDS_Shell shell;
+  const BRep_Builder builder;
+  builder.MakeShell(shell);
+  for (const TopoDS_Shape& face : faces) {
+    builder.Add(shell, face);
+  }
+  return shell;
+}
+
+TopoDS_Shape plane_face(double z_mm) {
+  return BRepBuilderAPI_MakeFace(
+             wire_through({{0, 0, z_mm}, {9, 0, z_mm}, {9, 9, z_mm}, {0, 9, z_mm}}))
+      .Shape();
+}
+
+/// What a run says of the part in a STEP file, whose top a touch along Z meets at `top_mm`.
+std::string told_of(const TopoDS_Shape& shape, double top_mm) {
+  const testing::TemporaryFolder folder;
+  testing::write_step(shape, "part", folder.path("part.step"));
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", "O1\nG91 G31 Z-100. F100.\n#1=#5063\nM30\n")};
+  options.setups = {folder.write("sheet.toml",
+                                 "[probe]\nlength = 100.0\n[machine]\nstopping = \"ideal\"\n"
+                                 "[[part]]\nfile = \"part.step\"\nat = [-4.0, -3.0, 0.0]\n"
+                                 "[start]\nZ = 180.0\n")};
+  options.prints = {"#5063"};
+  const testing::RunOutput output = testing::run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  // Of the spindle nose: the probe of 100 mm ends in a ball with a radius of 3 mm.
+  EXPECT_EQ(output.document["variables"]["#5063"], top_mm + 103.0);
+  return output.errors;
+}
+
+// Reference planes and surfaces that a body was cut with are no material.
+TEST(StepFacets, AreOfTheBodiesWhereAFileHasAny) {
+  const TopoDS_Shape block = testing::block({{0, 0, 0}, {10, 10, 10}});
+  EXPECT_EQ(told_of(block, 10.0), "");
+  const std::string one = told_of(together({shell_of({plane_face(20)}), block}), 10.0);
+  EXPECT_NE(one.find("note: surfaces beside the bodies of a part are no material: 1 of the faces "
+                     "in the file of 'part' belongs to no solid and no closed shell"),
+            std::string::npos)
+      << one;
+  const auto mesh =
+      facets_of(together({block, shell_of({plane_face(20)}), shell_of({plane_face(30)})}), 0.01);
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_EQ(mesh.value().faces_left_out, 2U);
+  EXPECT_TRUE(testing::is_closed_and_oriented(mesh.value()));
+  EXPECT_NEAR(testing::enclosed_volume(mesh.value()), 1000.0, 1e-9);
+}
+
+TEST(StepFacets, AreOfClosedShellsToo) {
+  std::vector<TopoDS_Shape> faces;
+  const TopoDS_Shape upper = testing::block({{0, 0, 20}, {10, 10, 25}});
+  for (TopExp_Explorer each(upper, TopAbs_FACE); each.More(); each.Next()) {
+    faces.push_back(each.Current());
+  }
+  const auto mesh =
+      facets_of(together({testing::block({{0, 0, 0}, {10, 10, 10}}), shell_of(faces)}), 0.01);
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_EQ(mesh.value().faces_left_out, 0U);
+  EXPECT_NEAR(testing::enclosed_volume(mesh.value()), 1500.0, 1e-9);
+}
+
+TEST(StepFacets, AreOfAllSurfacesWhereAFileHasNoBody) {
+  const auto mesh = facets_of(shell_of({plane_face(20)}), 0.01);
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_EQ(mesh.value().faces_left_out, 0U);
+  EXPECT_EQ(mesh.value().triangles.size(), 2U);
+}
+
 TEST(StepFacets, ThatCannotBeMadeAreNoMistakeOfThePlannedSheet) {
-  TopoDS_Compound both;
-  BRep_Builder builder;
-  builder.MakeCompound(both);
-  builder.Add(both, testing::cut(testing::block({{0, 0, -30}, {100, 80, 0}}),
-                                 {testing::block({{30, 30, -10}, {70, 50, 0}})}));
-  builder.Add(both, crossed_face());
+  const TopoDS_Compound both =
+      together({testing::cut(testing::block({{0, 0, -30}, {100, 80, 0}}),
+                             {testing::block({{30, 30, -10}, {70, 50, 0}})}),
+                BRepPrimAPI_MakePrism(crossed_face(), gp_Vec(0, 0, 5)).Shape()});
   const testing::TemporaryFolder folder;
   plan::PlanRequest request;
   request.product = folder.path("part.step");

@@ -100,6 +100,18 @@ void add_rounding(const parts::Mesh& mesh_P, const std::string& part,
   }
 }
 
+/// Of a file that has surfaces beside its bodies.
+void add_left_out(const parts::Mesh& mesh_P, const std::string& part,
+                  const source::ShownPlace& place, std::vector<source::Diagnostic>& findings) {
+  if (mesh_P.faces_left_out > 0) {
+    tell(
+        source::DiagnosticId::FacesLeftOut,
+        fmt::format(": {} of the faces in the file of '{}' {} to no solid and no closed shell",
+                    mesh_P.faces_left_out, part, mesh_P.faces_left_out == 1 ? "belongs" : "belong"),
+        place, findings);
+  }
+}
+
 /// Adds a part of the sheet to those that are made.  @returns why it cannot be made or read
 /// @throws parts::BrokenOff
 std::optional<Refusal> add_part(const setup::Job& job, std::size_t which,
@@ -117,6 +129,7 @@ std::optional<Refusal> add_part(const setup::Job& job, std::size_t which,
     add_findings(mesh_P.value(), part, in_sheet, goes_on, built.findings);
   }
   add_rounding(mesh_P.value(), part.name, in_sheet, built.findings);
+  add_left_out(mesh_P.value(), part.name, in_sheet, built.findings);
   const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
   built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
   built.parts.back().is_solid = part.is_closed;

@@ -21,7 +21,7 @@ namespace g31::session {
 
 /// The simulated machine with what stands around its tool.
 struct World {
-  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB519
+  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB521
   std::vector<probe::ProbedPart> parts;      ///< none where nothing senses them
   std::vector<probe::ProbedPart> beams;      ///< of lasers that measure tools: drawn, not met
   std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
@@ -31,7 +31,8 @@ struct World {
 /// The parts of a set-up where they stand, and what is wrong with their meshes.
 struct BuiltParts {
   std::vector<probe::ProbedPart> parts;
-  std::vector<source::Diagnostic> findings;  ///< PRB511 to PRB516, PRB518 and PRB520, by parts
+  std::vector<source::Diagnostic>
+      findings;  ///< PRB511 to PRB516, PRB518, PRB520 and PRB521, by parts
 };
 
 /// The parts of a set-up; none where signals come from a script and no sensor is.
