@@ -1,5 +1,7 @@
 // STEP as different systems write it: protocols, units, several bodies, assemblies with placements.
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,9 @@
 #include <gtest/gtest.h>
 
 #include "parts/features/recognise.h"
+#include "parts/import/step_file.h"
 #include "parts/solids/removal.h"
+#include "tests/probe/test_meshes.h"
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
 #include "tests/support/temporary_folder.h"
@@ -115,6 +119,20 @@ TEST(StepDialects, APartOfManyMetresIsRefused) {
   const auto removal = parts::removal_of(path, {});
   ASSERT_FALSE(removal.ok());
   EXPECT_NE(removal.error().find("is its unit right?"), std::string::npos) << removal.error();
+}
+
+// As a translator writes countersinks: the seam line of the cone misses the plane of its axis by
+// the noise of floats, and is opposite to where the angle around the axis begins.
+TEST(StepDialects, DirectionsOffAnAxisByNoise) {
+  constexpr double kSagitta = 1e-3;
+  const auto mesh = parts::read_step_file("tests/solids/frustum.step", kSagitta);
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_TRUE(testing::is_closed_and_oriented(mesh.value()));
+  // Radii 5 and 11, 6 apart; the wall lacks up to the sagitta.
+  const double frustum = std::numbers::pi * 6.0 / 3.0 * (25.0 + 55.0 + 121.0);
+  const double wall = std::numbers::pi * (5.0 + 11.0) * std::hypot(6.0, 6.0);
+  EXPECT_LT(testing::enclosed_volume(mesh.value()), frustum);
+  EXPECT_GT(testing::enclosed_volume(mesh.value()), frustum - kSagitta * wall);
 }
 
 }  // namespace
