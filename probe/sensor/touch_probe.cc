@@ -61,8 +61,9 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   state.in_place = is_in_place_;
   state.switched_on = is_on();
   const bool may_turn = setup_.switching.may_turn;
-  const bool is_told = setup_.switching.is_up_to_program() && !may_turn;
-  state.stands = (!spindle_.turns() && turning_parts_.empty()) || !is_told;
+  // A sheet that leaves the probe's switching out may leave the tool's spindle out, too.
+  const bool tool_stands = !spindle_.turns() || !setup_.switching.is_up_to_program();
+  state.stands = may_turn || (tool_stands && turning_parts_.empty());
   state.angle_known = is_round() || (spindle_.turns() ? may_turn : spindle_.is_angle_known());
   state.ball_radius_mm = balls_.front().radius;
   state.delay_s = setup_.trigger_delay_s;

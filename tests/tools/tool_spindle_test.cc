@@ -120,7 +120,8 @@ TEST(ToolSpindle, OfALatheTheSpindleOfThePartIsToStand) {
   EXPECT_TRUE(complains("S500 M4", tool));
   EXPECT_FALSE(complains("S500 M4\nM5", tool));
   EXPECT_FALSE(complains("SPOS=90", tool));
-  EXPECT_FALSE(complains("S500 M4", "")) << "a probe that no program brings is not spoken of";
+  EXPECT_TRUE(complains("S500 M4", "")) << "whoever brings the probe";
+  EXPECT_FALSE(complains("S500 M4\nM5", ""));
   EXPECT_FALSE(complains("S500 M4", tool + "may_turn = true\n"));
 }
 

@@ -10,12 +10,13 @@
 namespace g31::sinumerik {
 namespace {
 
-/// Another feed type wants a new F; behind G96 the spindle stays at the speed it has.
+/// Another feed type wants a new F.  Behind G96 the spindle stays at the speed it has, but G94 and
+/// G95 have the last S in rev/min count (programming manual, fundamentals 10/2004, G96).
 void change_feed_type(Channel& channel, int before) {
   if (feed_meaning(before) != feed_meaning(channel.group[Group::FeedType])) {
     channel.feed = 0.0;
   }
-  if (cuts_at_constant_speed(before) && !cuts_at_constant_speed(channel.group[Group::FeedType])) {
+  if (cuts_at_constant_speed(before) && keeps_speed(channel.group[Group::FeedType])) {
     const int now = std::exchange(channel.group[Group::FeedType], before);
     channel.spindle.speed = kept_speed(channel);
     channel.group[Group::FeedType] = now;

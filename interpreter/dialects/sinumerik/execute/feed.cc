@@ -24,11 +24,15 @@ constexpr int kPerMinuteAfterwards = number_in_group("G971");
 constexpr double kLeastFeed = 1e-9;
 constexpr double kMostFeed = 1e12;
 
+double highest_of_master(const Channel& channel) {
+  return channel.highest_speed(static_cast<int>(channel.master_spindle));
+}
+
 /// Of G96, with OVRA.
 runtime::TurnTime turn_time(const Channel& channel) {
   const Spindle& spindle = channel.spindle;
   return {spindle.cutting_speed * kMmPerMetre * spindle.override_percent / 100.0, spindle.lowest,
-          std::min(spindle.highest, std::max(0.0, spindle.limit))};
+          std::min({spindle.highest, std::max(0.0, spindle.limit), highest_of_master(channel)})};
 }
 
 /// Whether it turns under G96.
@@ -58,6 +62,10 @@ bool cuts_at_constant_speed(int feed_type) {
   return feed_type == kCutting || feed_type == kCuttingPerMinute;
 }
 
+bool keeps_speed(int feed_type) {
+  return feed_type == kAfterwards || feed_type == kPerMinuteAfterwards;
+}
+
 double metres_of_cutting(const Channel& channel) {
   constexpr double kMetresPerFoot = 0.3048;
   return channel.mm_per_length() == 1.0 ? 1.0 : kMetresPerFoot;
@@ -77,10 +85,10 @@ FeedMeaning feed_meaning(int feed_type) {
 }
 
 double limited_speed(const Channel& channel, double programmed) {
-  const int type = channel.group[Group::FeedType];
-  const bool has_limit = type == kAfterwards || type == kPerMinuteAfterwards;
-  const double limited = channel.spindle.limited(programmed);
-  return has_limit ? std::min(limited, std::max(0.0, channel.spindle.limit)) : limited;
+  const double limited = std::min(channel.spindle.limited(programmed), highest_of_master(channel));
+  return channel.group[Group::FeedType] == kAfterwards
+             ? std::min(limited, std::max(0.0, channel.spindle.limit))
+             : limited;
 }
 
 double spindle_speed(const Channel& channel, double radius_mm) {
@@ -171,10 +179,13 @@ Result<double, Failure> mean_speed(const Channel& channel, const FeedWay& way) {
     return speed > 0.0 ? Result<double, Failure>(speed)
                        : failure(AlarmId::NoFeed, "the spindle needs S, with G97 a LIMS above 0");
   }
+  if (!(channel.spindle.cutting_speed > 0.0)) {
+    return failure(AlarmId::NoCuttingSpeed);
+  }
   const double speed = cuts(channel.spindle) ? 1.0 / mean_turn(turn_time(channel), way) : 0.0;
   return speed > 0.0 && std::isfinite(speed)
              ? Result<double, Failure>(speed)
-             : failure(AlarmId::NoFeed, "G96 needs F and S, and a LIMS above 0 at X0");
+             : failure(AlarmId::NoFeed, "G96 needs F, and a LIMS above 0 at X0");
 }
 
 void tell_standing_spindle(Channel& channel, const Block& block) {

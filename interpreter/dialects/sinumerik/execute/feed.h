@@ -51,7 +51,7 @@ double switched(const Channel& channel, double feed_mm_min);
 double positioning_feed(const Channel& channel, int axis);
 
 /// rev/min of the master spindle with OVRA and within its limits: those of G25 and G26, and LIMS
-/// under G97 and G971 (programming manual, fundamentals: G973 is G97 without LIMS).
+/// under G97 (programming manual, fundamentals 11/2006: LIMS does not work with G971).
 /// @param programmed  > 0
 double limited_speed(const Channel& channel, double programmed);
 
@@ -70,6 +70,9 @@ double metres_of_cutting(const Channel& channel);
 
 /// G96 or G961: S is a cutting speed.
 bool cuts_at_constant_speed(int feed_type);
+
+/// G97 or G971: the spindle stays at the speed that it has behind G96.
+bool keeps_speed(int feed_type);
 
 /// What of a feed type F means: programs give F anew when it changes.
 enum class FeedMeaning { InverseTime, PerMinute, PerRevolution };

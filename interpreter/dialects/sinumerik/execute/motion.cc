@@ -81,7 +81,7 @@ Result<double, Failure> thread_feed(Channel& channel, const Block& block, const 
       return along_axis * q_M_way.head<3>().norm() / std::abs(q_M_way[axis]);
     }
   }
-  return failure(AlarmId::NoFeed, "a thread needs its lead I, J or K");
+  return failure(AlarmId::NoLead);
 }
 
 }  // namespace

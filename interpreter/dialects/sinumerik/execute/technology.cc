@@ -36,15 +36,11 @@ void take_speed(Channel& channel, double value) {
   }
 }
 
-/// A spindle that is a rotary axis of the machine, as that of a lathe with C, travels there by the
-/// shorter way.
-MaybeFailure turn_axis(Channel& channel, int axis, double degrees, const source::Location& where) {
-  if (MaybeFailure wrong = finish_motion(channel)) {
-    return wrong;
-  }
+/// A spindle that is a rotary axis of the machine, as that of a lathe with C, travels there.
+MaybeFailure turn_axis(Channel& channel, int axis, double way_deg, const source::Location& where) {
   path::PathBlock path;
   AxisPositions q_M_end = channel.machine_position();
-  q_M_end[axis] += std::remainder(degrees - q_M_end[axis], kFullTurn);
+  q_M_end[axis] += way_deg;
   path.q_M_end = channel.machine_to_path(q_M_end);
   path.g = 0;
   path.where = where;
@@ -61,15 +57,38 @@ Numbered master_of(Channel& channel) {
   return {static_cast<int>(channel.master_spindle), channel.spindle};
 }
 
-MaybeFailure orient(Channel& channel, const Numbered& which, double degrees,
+/// Where a spindle is to stand, or how far it is to turn from where it stands.
+struct SpindlePlace {
+  double degrees = 0.0;
+  bool adds = false;
+};
+
+/// A spindle that is an axis stands where that was moved to last, and goes to a place by the
+/// shorter way.
+MaybeFailure orient(Channel& channel, const Numbered& which, const SpindlePlace& to,
                     const source::Location& where) {
+  const auto axis = channel.axis_of_spindle(which.number);
+  if (axis) {
+    if (MaybeFailure wrong = finish_motion(channel)) {
+      return wrong;
+    }
+  }
+  const double stands_at =
+      axis ? channel.machine_position()[*axis] : which.spindle.angle.value_or(0.0);
+  const double degrees = to.adds ? stands_at + to.degrees : to.degrees;
+  if (!std::isfinite(degrees)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS=IC({:g})", to.degrees));
+  }
   which.spindle.direction = Spindle::kPositioned;
   which.spindle.builder_may_turn = false;
   which.spindle.angle = degrees;
   channel.port.turn_spindle(
       {machine::Rotation::Stopped, 0.0, degrees, channel.port_spindle(which.number)});
-  const auto axis = channel.axis_of_spindle(which.number);
-  return axis ? turn_axis(channel, *axis, degrees, where) : std::nullopt;
+  if (!axis) {
+    return std::nullopt;
+  }
+  const double way = to.adds ? to.degrees : std::remainder(degrees - stands_at, kFullTurn);
+  return turn_axis(channel, *axis, way, where);
 }
 
 /// rev/min as the control turns a spindle.
@@ -79,7 +98,9 @@ double turning_speed(Channel& channel, const Numbered& which) {
     return spindle_speed(channel, channel.present()[kTransverseAxis]);
   }
   const double speed = std::abs(which.spindle.speed);
-  return is_master && speed > 0.0 ? limited_speed(channel, speed) : which.spindle.turning_speed();
+  return is_master && speed > 0.0
+             ? limited_speed(channel, speed)
+             : std::min(which.spindle.turning_speed(), channel.highest_speed(which.number));
 }
 
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
@@ -100,7 +121,7 @@ void turn(Channel& channel, const Numbered& which) {
 MaybeFailure take_code(Channel& channel, const Numbered& which, double code,
                        const source::Location& where) {
   if (code == kOrient) {
-    return orient(channel, which, 0.0, where);
+    return orient(channel, which, {}, where);
   }
   if (code == kTurnClockwise || code == kTurnCounterclockwise || code == kStopTurning) {
     which.spindle.direction = static_cast<int>(code);
@@ -135,13 +156,21 @@ MaybeFailure orient_by(Channel& channel, const Numbered& which, const BlockWords
                    "SPOS=IC(...) of a spindle that turned: where it "
                    "stopped is not simulated");
   }
-  const double degrees = adds ? *which.spindle.angle + word.value : word.value;
-  if (!std::isfinite(degrees)) {
-    return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", degrees));
+  if (!std::isfinite(word.value)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", word.value));
   }
   const auto place =
-      adds ? Result<double, Failure>(degrees) : place_in_turn(channel, which.number, degrees);
-  return place ? orient(channel, which, place.value(), where) : MaybeFailure(place.error());
+      adds ? Result<double, Failure>(word.value) : place_in_turn(channel, which.number, word.value);
+  return place ? orient(channel, which, {place.value(), adds}, where) : MaybeFailure(place.error());
+}
+
+/// LIMS
+MaybeFailure take_limit(Spindle& spindle, double speed) {
+  if (speed < 0.0) {
+    return failure(AlarmId::NegativeSpeedLimit, fmt::format("LIMS={:g}", speed));
+  }
+  spindle.limit = speed;
+  return std::nullopt;
 }
 
 /// S2=, M3=4, SPOS[2]=: of a spindle that is not the master.
@@ -154,7 +183,10 @@ MaybeFailure take_word(Channel& channel, const BlockWords::SpindleWord& word,
   if (word.address == Address::Spindle || word.address == Address::SpindleAsync) {
     return orient_by(channel, which, {word.value, word.modification, true, 1}, where);
   }
-  (word.address == Address::SpeedLimit ? which.spindle.limit : which.spindle.speed) = word.value;
+  if (word.address == Address::SpeedLimit) {
+    return take_limit(which.spindle, word.value);
+  }
+  which.spindle.speed = word.value;
   if (word.address == Address::Speed && which.spindle.turns()) {
     turn(channel, which);
   }
@@ -213,7 +245,9 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     }
   }
   if (words.has(Address::SpeedLimit)) {
-    channel.spindle.limit = words[Address::SpeedLimit].value;
+    if (MaybeFailure wrong = take_limit(channel.spindle, words[Address::SpeedLimit].value)) {
+      return wrong;
+    }
   }
   if (MaybeFailure wrong = take_machine_codes(channel, block)) {
     return wrong;

@@ -22,6 +22,12 @@ constexpr int kRadius = number_in_group("DIAMOF");
 constexpr int kDiameterAlways = number_in_group("DIAMON");
 constexpr int kDiameterAbsolute = number_in_group("DIAM90");
 
+/// MD20150 counts for these: their codes are in force without a word more.
+constexpr Group kGroupsOfData[] = {
+    Group::Plane,    Group::SettableFrame, Group::BlockTransition, Group::ExactStopWindow,
+    Group::Unit,     Group::Distance,      Group::FeedType,        Group::ArcFeed,
+    Group::Approach, Group::OutsideCorner, Group::Acceleration,    Group::Diameter};
+
 }  // namespace
 
 Failure no_such_axis(int axis) {
@@ -70,11 +76,15 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       length_kind_(static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_TYPE")->place)),
       spindles_of_axes_(
           static_cast<std::size_t>(globals.find("$MA_SPIND_ASSIGN_TO_MACHAX")->place)),
+      spindle_limits_(static_cast<std::size_t>(globals.find("$MA_SPIND_VELO_LIMIT")->place)),
       tool_change_mode_(static_cast<std::size_t>(globals.find("$MC_TOOL_CHANGE_MODE")->place)),
       diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)),
       carrier_fine_(static_cast<std::size_t>(globals.find("$SC_TOCARR_FINE_CORRECTION")->place)),
       most_carriers_(static_cast<std::size_t>(globals.find("$MN_MM_NUM_TOOL_CARRIER")->place)) {
   numbers = globals.layout().numbers;
+  for (const Group one : kGroupsOfData) {
+    numbers[code_at_start(one)] = preset_number(one);
+  }
   motion_data.take(port.axis_data(), numbers);
   texts.resize(static_cast<std::size_t>(globals.layout().texts));
   frames.resize(static_cast<std::size_t>(globals.layout().frames));
@@ -100,11 +110,16 @@ bool Channel::is_lathe() const {
   return numbers[technology_] == kTurning || (port.travel(kTransverseAxis) && !port.travel(kAxisY));
 }
 
+std::size_t Channel::code_at_start(Group one) const {
+  return codes_at_start_ + static_cast<std::size_t>(one) - 1;
+}
+
 void Channel::preset_codes() {
-  for (const Group one : {Group::Plane, Group::Acceleration, Group::Diameter}) {
-    const double number = numbers[codes_at_start_ + static_cast<std::size_t>(one) - 1];
+  for (const Group one : kGroupsOfData) {
+    const double number = numbers[code_at_start(one)];
     const auto is_row = [&](const GCode& code) {
-      return code.group == one && static_cast<double>(code.number) == number;
+      return code.group == one && code.action != GAction::Refused &&
+             static_cast<double>(code.number) == number;
     };
     if (std::ranges::any_of(g_codes(), is_row)) {
       group[one] = static_cast<int>(number);
@@ -113,6 +128,7 @@ void Channel::preset_codes() {
   if (is_lathe() && group[Group::Plane] == preset_number(Group::Plane)) {
     group[Group::Plane] = kPlaneZx;
   }
+  take_stored_frames();
   frames_changed();
 }
 
@@ -144,6 +160,13 @@ std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
     }
   }
   return std::nullopt;
+}
+
+double Channel::highest_speed(int spindle_number) const {
+  const auto axis = axis_of_spindle(spindle_number);
+  const std::size_t place = spindle_limits_ + static_cast<std::size_t>(axis.value_or(0));
+  return axis && motion_data.is_written(place) ? std::max(0.0, numbers[place])
+                                               : std::numeric_limits<double>::infinity();
 }
 
 void Channel::preset_rapids() {

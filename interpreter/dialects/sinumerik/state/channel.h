@@ -210,13 +210,14 @@ class Channel : public ChannelState {
   [[nodiscard]] bool changes_with_t() const { return numbers[tool_change_mode_] == 0.0; }
   /// As machine data want it at the start of a program.
   void preset_rapids();
-  /// The same of plane, acceleration and diameters: MD20150 [5], [20] and [28]; on a lathe G18 in
-  /// the place of G17.
+  /// The same of the G groups whose codes MD20150 gives; on a lathe G18 in the place of G17.
   void preset_codes();
   /// A machine with X and without Y, or one whose MD52200 is 1.
   [[nodiscard]] bool is_lathe() const;
   /// MD35000: the rotary axis that a spindle is when it is positioned; nullopt: none.
   [[nodiscard]] std::optional<int> axis_of_spindle(int spindle_number) const;
+  /// MD35100 of that axis, rev/min, once it is written; before, and of others, without limit.
+  [[nodiscard]] double highest_speed(int spindle_number) const;
   /// SETMS: words without the number of a spindle are of this one from now on.
   void make_master(int spindle_number);
   /// As the machine knows a spindle: kToolSpindle turns the tools.
@@ -266,6 +267,9 @@ class Channel : public ChannelState {
   /// The angles of both axes of TRAORI.
   [[nodiscard]] std::array<double, 2> angles_of(const AxisPositions& q_M) const;
 
+  /// Place of a group's element of MD20150.
+  [[nodiscard]] std::size_t code_at_start(Group one) const;
+
   std::size_t frame_save_mask_;                 ///< place of MD10617
   std::size_t program_function_mask_;           ///< place of MD10280
   std::size_t upper_soft_limits_;               ///< place of MD36110
@@ -285,6 +289,7 @@ class Channel : public ChannelState {
   std::size_t turning_length_plane_;            ///< place of SD42942
   std::size_t length_kind_;                     ///< place of SD42950
   std::size_t spindles_of_axes_;                ///< place of MD35000
+  std::size_t spindle_limits_;                  ///< place of MD35100
   std::size_t tool_change_mode_;                ///< place of MD22550
   std::size_t diameter_axis_;                   ///< place of MD20100, among the texts
   std::size_t carrier_fine_;                    ///< place of SD42974

@@ -18,12 +18,14 @@ class MotionData {
   explicit MotionData(const Globals& globals);
 
   /// The data become those of a machine: MD36010 and MD36000 its windows, MD32431 the jerk of its
-  /// linear axes where it limits it; MD20150 [20] is SOFT then.  MD32431, MD32310, MD36100 and
-  /// MD36110 count once they are written.
+  /// linear axes where it limits it; MD20150 [20] is SOFT then.  MD32431, MD32310, MD35100,
+  /// MD36100 and MD36110 count once they are written.
   void take(const machine::AxisData& of_machine, std::vector<double>& numbers);
 
   /// A datum was written that counts from then on.  @param place  among the numbers
   void written(std::size_t place) { is_new_ = written_.insert(place).second || is_new_; }
+
+  [[nodiscard]] bool is_written(std::size_t place) const { return written_.contains(place); }
 
   /// What the data say of the axes; nullopt: what they said the last time.  Windows times MD36012;
   /// one that is not > 0 leaves the machine's.

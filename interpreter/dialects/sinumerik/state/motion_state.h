@@ -33,7 +33,7 @@ struct Spindle {
   double cutting_speed = 0.0;  ///< m/min, S of G96
   double lowest = 0.0;         ///< rev/min, G25 S and G26 S
   double highest = std::numeric_limits<double>::infinity();
-  double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96, G961, G97 and G971
+  double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96, G961 and G97
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
   double override_percent = 100.0;                         ///< OVRA[S1]
   int direction = kNothingYet;    ///< of $P_SDIR: 3, 4, 5 of M3, M4, M5, or one of these two
