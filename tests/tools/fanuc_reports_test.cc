@@ -86,7 +86,12 @@ TEST(LatheProgram, IsNotWhatAMillMayWrite) {
         // The line that makes all functions safe, with the speed.
         "O1\nT1 M06\nG00 G40 G50 G69 G80 G90 X10. S3000 M03\nM30\n",
         "O1\nG00 G17 G40 G49 G50 G80 G90 S3000 M03\nM30\n",
-        "O1\nG90 G50 S3000 M03\nG43 H1 Z50.\nM30\n"}) {
+        "O1\nG90 G50 S3000 M03\nG43 H1 Z50.\nM30\n",
+        // A mill whose tools have four digits, points in increments no more, the end of scaling.
+        "O1\nT0101 M6\nG97 S900 M3\nG90 G54 G00 X1. Y2.\nG43 H1 Z5.\nG90 X2. Z1. F100.\nM30\n",
+        "O1\nG98\nT0101 M6\nG90 X25. Z-20. Y1. F40.\nM30\n",
+        "O1\nT0101\nG90 G01 X50. Z-20. F200.\nM30\n", "O1\nT0101\nG50\nX200. Z100.\nM30\n",
+        "O1\nG90 X50. Z-20. F200.\nM30\n"}) {
     EXPECT_FALSE(mentions(run_with(program, ""), "PRB003")) << program;
   }
 }
@@ -98,10 +103,24 @@ TEST(LatheProgram, ShowsTwoSignsOfItsSeries) {
         "O1\nT0101\nG2 X24. Z-12. I2. K0 F0.2\nM30\n", "O1\nT0101\nG71 P10 Q20 F0.2\nM30\n",
         "O1\nT0101\nG10 P1 X1. Z2. R0.4 Q3\nM30\n",
         "O1\nG66.1 P2\nU1.\nG67\nT0101\nU1.\nM30\nO2\nM99\n",
+        "O1\nT0101\nG97 S500 M03\nG00 X60. Z2.\nG90 X50. Z-20. F0.2\nX45.\nM30\n",
+        "O1\nT0101\nG94 X50. Z-20. F0.2\nM30\n", "O1\nT0101\nG50 X200. Z100.\nM30\n",
+        // A training lathe changes by M06.
+        "O1\nG21 G98\nM06 T0101\nG97 S900 M03\nG00 X32. Z5.\nG90 X25. Z-20. F40.\nM30\n",
         // A lathe with Y has its other signs.
         "O1\nT0101\nG50 S2000\nG0 X50. Y2.\nM30\n"}) {
     EXPECT_TRUE(mentions(run_with(program, ""), "PRB003")) << program;
   }
+}
+
+TEST(LatheProgram, ShowsItselfByOneSignWhereThereIsNoY) {
+  const std::string without_y = "[machine]\nfile = \"lathe.toml\"\n";
+  const char* const turret = "O1\nT0101\nG54 G00 X60. Z-20.\nG31 X40. F100\nM30\n";
+  EXPECT_FALSE(mentions(run_with(turret, ""), "PRB003"));
+  EXPECT_TRUE(mentions(run_with(turret, without_y), "PRB003"));
+  EXPECT_TRUE(mentions(run_with("O1\nG96 S200 M03\nG01 X5. F0.2\nM30\n", without_y), "PRB003"));
+  // Two axes alone are no lathe.
+  EXPECT_FALSE(mentions(run_with("O1\nG98\nG0 X60. Z20.\nM30\n", without_y), "PRB003"));
 }
 
 TEST(LatheProgram, IsAnyWhereParametersSayThatXIsADiameter) {

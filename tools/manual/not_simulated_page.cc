@@ -32,7 +32,7 @@ without a word: what they say has nothing to act on here.
   again and again (PRB604), else by the limit of blocks (PRB601).  Inputs come from `[[input]]`, keys that M109 of a Haas
   asks for from `control.keys` (PRB607).
 * Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  Where a
-  chamfer or a rounding cuts the way, that is the mean of the whole.  A thread (G33) begins at once, wherever the spindle
+  chamfer or a rounding cuts the way, that is the mean of the whole.  Rapids change the speed as feeds do.  A thread (G33) begins at once, wherever the spindle
   stands.
 * A Fanuc tapping cycle (G74, G84) goes in and out once, whatever its Q: pecks of rigid tapping are passed over (PRB304).
 * Where axes lag, or moves pass on into each other, a collision is found when the axes come to it, behind blocks that

@@ -37,10 +37,17 @@ const Word* find_code(Words words, char letter, std::initializer_list<double> co
 }
 
 /// T0101: station and offset, two digits each.
+constexpr int kStation = 100;
+
 bool is_tool_with_offset(const Word& word) {
-  constexpr int kStation = 100;
   return word.letter == 'T' && word.form == ValueForm::Integer && word.digits == 4 &&
          word.number >= kStation;
+}
+
+/// A station with its own offset: what training lathes change by M06.
+bool is_station_with_its_offset(const Word& word) {
+  const auto number = static_cast<int>(is_tool_with_offset(word) ? word.number : 0.0);
+  return number != 0 && number / kStation == number % kStation;
 }
 
 /// Whether a block may call a macro where the control is set up so, or makes later ones call: its
@@ -80,6 +87,31 @@ const Word* increments(Words words) {
 const Word* thread(Words words) {
   const bool is_of_a_lathe = has(words, 'F') && !has(words, 'Y') && has(words, 'Z');
   return is_of_a_lathe ? find_code(words, 'G', {92.0}) : nullptr;
+}
+
+/// G90 and G94 of system A turn; a mill says so of its points, and mostly that it cuts, too.
+const Word* turning_cycle(Words words) {
+  const bool is_of_a_lathe =
+      has(words, 'F') && has(words, 'X') && has(words, 'Z') && !has(words, 'Y') && !has(words, 'R');
+  const auto codes =
+      std::ranges::count_if(words, [](const Word& word) { return word.letter == 'G'; });
+  return is_of_a_lathe && codes == 1 ? find_code(words, 'G', {90.0, 94.0}) : nullptr;
+}
+
+/// G50 X Z of system A sets coordinates; on a mill G50 ends scaling, in a line that makes all safe.
+const Word* coordinates_set(Words words) {
+  const auto is_other = [](const Word& word) {
+    return word.letter != 'G' && word.letter != 'N' && word.letter != 'X' && word.letter != 'Z';
+  };
+  const bool is_of_a_lathe = has(words, 'X') && has(words, 'Z') &&
+                             std::ranges::none_of(words, is_other) &&
+                             std::ranges::count(words, 'G', &Word::letter) == 1;
+  return is_of_a_lathe ? find_code(words, 'G', {50.0}) : nullptr;
+}
+
+/// G97 S M3: a mill without constant cutting speed has no need of it.
+const Word* speed_kept(Words words) {
+  return has(words, 'S') ? find_code(words, 'G', {97.0}) : nullptr;
 }
 
 /// G70 to G73 with the first and the last block of a contour.
@@ -126,6 +158,9 @@ constexpr Sign kSigns[] = {
     {"G92 X Z F", Weight::Strong, thread},
     {"G70 to G73 P Q", Weight::Strong, contour_cycle},
     {"G10 P X Z without L", Weight::Strong, offset_of_axes},
+    {"G50 X Z", Weight::Strong, coordinates_set},
+    {"G90 or G94 X Z F", Weight::Weak, turning_cycle},
+    {"G97 S", Weight::Weak, speed_kept},
     {"an arc in ZX without G18", Weight::Weak, turned_arc},
     {"G98 or G99 as kind of feed", Weight::Weak, kind_of_feed},
 };
@@ -134,16 +169,25 @@ constexpr Sign kSigns[] = {
 struct MillSigns {
   bool changes_tool_by_t = false;  ///< T10 M6 in one block: no turret is told so
   bool changes_tool = false;       ///< M6
+  bool changes_station = false;    ///< T0101 M6, which is no sign where nothing is milled
   bool is_milled = false;          ///< Y, a length offset or a plane that no turning is in
   bool selects_zx = false;         ///< G18
 
   void look_at(Words words) {
     const bool has_change = find_code(words, 'M', {6.0}) != nullptr;
-    changes_tool |= has_change;
-    changes_tool_by_t |= has_change && has(words, 'T');
+    const bool is_station = std::ranges::any_of(words, is_station_with_its_offset);
+    changes_station |= has_change && is_station;
+    changes_tool |= has_change && !is_station;
+    changes_tool_by_t |= has_change && !is_station && has(words, 'T');
     selects_zx |= find_code(words, 'G', {18.0}) != nullptr;
     is_milled |=
         has(words, 'Y') || find_code(words, 'G', {17.0, 19.0, 43.0, 44.0, 49.0}) != nullptr;
+  }
+
+  /// Behind the last block.
+  void conclude() {
+    changes_tool |= changes_station && is_milled;
+    changes_tool_by_t |= changes_station && is_milled;
   }
 
   /// Whether one sign is not enough, whichever it is: G50 S in the line that makes all functions of
@@ -219,12 +263,13 @@ Found look_through(const CompiledProgram& program) {
       }
     }
   }
+  found.mill.conclude();
   return found;
 }
 
 }  // namespace
 
-std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
+std::optional<LatheSigns> lathe_signs(const CompiledProgram& program, bool has_y) {
   const Found found = look_through(program);
   std::size_t kinds = 0;
   bool is_lathe = false;
@@ -237,7 +282,9 @@ std::optional<LatheSigns> lathe_signs(const CompiledProgram& program) {
     const bool is_first = ++kinds == 1 || word->span.begin < signs.where.begin;
     signs.where = is_first ? word->span : signs.where;
     signs.what += fmt::format("{}{}", kinds == 1 ? "" : ", ", kSigns[i].name);
-    is_lathe = is_lathe || kinds >= 2 || (kSigns[i].weight == Weight::Alone && !found.mill.speak());
+    const bool is_enough = (kSigns[i].weight == Weight::Alone && !found.mill.speak()) ||
+                           (kSigns[i].weight == Weight::Strong && !has_y);
+    is_lathe = is_lathe || kinds >= 2 || is_enough;
   }
   return is_lathe ? std::optional(std::move(signs)) : std::nullopt;
 }

@@ -20,9 +20,10 @@ MaybeFailure guarded(const Work& work) {
 /// The signs of a main program, or what the control's own data say of the machine.
 std::optional<LatheSigns> signs_of_a_lathe(const Control& control, const CompiledProgram& main) {
   constexpr int kX = 0;
+  constexpr int kY = 1;
   const bool has_diameters = control.parameters.is_on_for_axis(ParameterId::DiameterAxis, kX);
   return has_diameters ? std::optional(LatheSigns{{}, "parameter 1006.3, DIA, of X"})
-                       : lathe_signs(main);
+                       : lathe_signs(main, control.port.travel(kY).has_value());
 }
 
 }  // namespace

@@ -14,10 +14,9 @@ namespace {
 const NameMap<bool>& keyword_kinds() {
   static const NameMap<bool> kRefused = [] {
     NameMap<bool> map;
-    constexpr std::string_view kRefusing = "refuse";
-#define KEYWORD(name, part, statement, form, text) map.emplace(#name, #statement == kRefusing);
-#include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
-#undef KEYWORD
+    for (const KeywordInfo& row : keywords()) {
+      map.emplace(std::string(row.name), row.is_refused);
+    }
     return map;
   }();
   return kRefused;

@@ -27,11 +27,17 @@ std::string text(std::string_view view) {
   return std::string(view);
 }
 
+runtime::Fact refused_here() {
+  return {"here", "not yet: alarm 12140"};
+}
+
 void add_language(Topics& all) {
   for (const KeywordInfo& row : keywords()) {
-    all.push_back({text(row.name),
-                   "",
-                   {"statement", text(row.name), text(row.text), {{"form", text(row.form)}}}});
+    Entry entry{"statement", text(row.name), text(row.text), {{"form", text(row.form)}}};
+    if (row.is_refused) {
+      entry.facts.push_back(refused_here());
+    }
+    all.push_back({text(row.name), "", std::move(entry)});
   }
   for (const CycleInfo& row : unsimulated_cycles()) {
     all.push_back(
@@ -79,7 +85,7 @@ void add_words(Topics& all) {
                 text(row.text),
                 {{"group", std::to_string(static_cast<int>(row.group))}}};
     if (row.action == GAction::Refused) {
-      entry.facts.push_back({"here", "not yet: alarm 12140"});
+      entry.facts.push_back(refused_here());
     }
     all.push_back({text(row.name), "", std::move(entry)});
   }
@@ -89,7 +95,7 @@ void add_words(Topics& all) {
                 text(row.text),
                 {{"form", fmt::format("{}[axis]{}", row.name, is_switch(row.role) ? "" : "=...")}}};
     if (row.role == AxisRole::Refused) {
-      entry.facts.push_back({"here", "not yet: alarm 12140"});
+      entry.facts.push_back(refused_here());
     } else if (is_switch(row.role)) {
       entry.facts.push_back({"values", "none"});
     } else if (row.most > 0.0) {
@@ -115,7 +121,7 @@ void add_variables(Topics& all) {
     Entry entry{
         "system variable", text(row.name), text(row.text), {{"type", text(name_of(row.type))}}};
     if (row.access == Access::Refused) {
-      entry.facts.push_back({"here", "not yet: alarm 12140"});
+      entry.facts.push_back(refused_here());
     } else {
       entry.facts.push_back({"access", row.access == Access::Read ? "read" : "read and write"});
     }

@@ -21,8 +21,10 @@ constexpr auto kProcedures = std::to_array<ProcedureInfo>({
 #undef PROCEDURE
 });
 
+constexpr std::string_view kRefusing = "refuse";
+
 constexpr auto kKeywords = std::to_array<KeywordInfo>({
-#define KEYWORD(name, part, statement, form, text) {#name, form, text},
+#define KEYWORD(name, part, statement, form, text) {#name, form, text, #statement == kRefusing},
 #include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
 #undef KEYWORD
 });

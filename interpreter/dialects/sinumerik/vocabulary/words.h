@@ -235,6 +235,7 @@ struct KeywordInfo {
   std::string_view name;
   std::string_view form;
   std::string_view text;
+  bool is_refused;  ///< where a program comes to it
 };
 
 std::span<const KeywordInfo> keywords();
