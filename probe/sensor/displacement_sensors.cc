@@ -48,9 +48,12 @@ double DisplacementSensors::distance(const Point& from, const Point& along, doub
 
 /// Rings of equal shares of the disc, each through the middle of its share: a mean over them is
 /// exact for surfaces that are flat or bent evenly.
-double DisplacementSensors::distance_over_spot(const DisplacementSetup& sensor, const Point& from,
-                                               const Eigen::Quaterniond& tilt) const {
-  const Point along = tilt * sensor.along_T;
+double DisplacementSensors::distance_over_spot(const DisplacementSetup& sensor,
+                                               const machine::Waypoint& at) const {
+  const Point from = linear_axes(at.q_M) + sensor.p_T_at;
+  const Point tilted = at.tilt * sensor.along_T;
+  const Point along =
+      at.lean_rad.isZero(0.0) ? tilted : Point(tilted + at.lean_rad.cross(tilted)).normalized();
   if (sensor.spot_mm == 0.0) {
     return distance(from, along, sensor.range_mm);
   }
@@ -71,7 +74,7 @@ double DisplacementSensors::distance_over_spot(const DisplacementSetup& sensor, 
 double DisplacementSensors::reading(int input, const machine::Waypoint& at, double now_s) const {
   const DisplacementSetup* const sensor = find(input);
   G31_EXPECTS(sensor != nullptr);
-  double reading = distance_over_spot(*sensor, linear_axes(at.q_M) + sensor->p_T_at, at.tilt);
+  double reading = distance_over_spot(*sensor, at);
   if (sensor->noise_mm > 0.0) {
     const Stream stream{seed_, kFirstStream + static_cast<std::uint32_t>(input)};
     reading += sensor->noise_mm * standard_normal(stream, std::bit_cast<std::uint64_t>(now_s));

@@ -52,8 +52,8 @@ class DisplacementSensors {
  private:
   [[nodiscard]] const DisplacementSetup* find(int input) const;
   [[nodiscard]] double distance(const Point& from, const Point& along, double range_mm) const;
-  [[nodiscard]] double distance_over_spot(const DisplacementSetup& sensor, const Point& from,
-                                          const Eigen::Quaterniond& tilt) const;
+  [[nodiscard]] double distance_over_spot(const DisplacementSetup& sensor,
+                                          const machine::Waypoint& at) const;
 
   std::vector<DisplacementSetup> sensors_;
   std::shared_ptr<const SeenParts> parts_;

@@ -120,6 +120,18 @@ TEST(DisplacementSensors, TurnWithTheTool) {
   EXPECT_NEAR(down.reading(1, at, 0.0), 20.0 / std::cos(std::numbers::pi / 6), 1e-12);
 }
 
+/// Angular errors of the axes turn the line of sight, too.
+TEST(DisplacementSensors, LookWhereTheErrorsOfTheAxesTurnThem) {
+  constexpr double kLean = 1e-3;
+  machine::Waypoint at = standing(0, 0, 110);
+  at.lean_rad = Point(0.0, kLean, 0.0);
+  const DisplacementSensors aslant({looking({1, 0, -1})}, box(), 0);
+  EXPECT_NEAR(aslant.reading(1, at, 0.0), 20.0 / std::cos(std::numbers::pi / 4 - std::atan(kLean)),
+              1e-12);
+  const DisplacementSensors down({looking(-Point::UnitZ())}, box(), 0);
+  EXPECT_NEAR(down.reading(1, at, 0.0), 20.0 / std::cos(std::atan(kLean)), 1e-12);
+}
+
 /// Over a disc of radius s on a ball of radius R seen from above its pole the mean depth is
 /// R - 2 (R^3 - (R^2 - s^2)^(3/2)) / (3 s^2).
 TEST(DisplacementSensors, AverageOverTheirSpot) {
