@@ -252,8 +252,10 @@ class TableReader {
     }
     const bool may_have_comma = separator_ != ',' || is_quoted(field);
     const auto number = may_have_comma ? number_with_comma_in(text) : number_in(text);
-    const auto place = [&] { return here(static_cast<std::size_t>(text.data() - line_.data())); };
-    const auto where = [&] { return text.empty() ? here() : place(); };
+    const auto where = [&] {
+      const char* const begin = text.empty() ? field.data() : text.data();
+      return here(static_cast<std::size_t>(begin - line_.data()));
+    };
     if (!number || std::isnan(*number)) {
       return data_error(DataErrorId::NoNumber, file_, where(),
                         {column.name, text.empty() ? "there is nothing" : text});
