@@ -24,15 +24,19 @@ constexpr int kPerMinuteAfterwards = number_in_group("G971");
 constexpr double kLeastFeed = 1e-9;
 constexpr double kMostFeed = 1e12;
 
-double highest_of_master(const Channel& channel) {
-  return channel.highest_speed(static_cast<int>(channel.master_spindle));
+/// rev/min that LIMS lets the master spindle turn.
+double limit_of_master(const Channel& channel) {
+  const double of_datum =
+      channel.speed_limit(Channel::SpeedDatum::OfLims, static_cast<int>(channel.master_spindle));
+  return std::min(of_datum, std::max(0.0, channel.spindle.limit));
 }
 
 /// Of G96, with OVRA.
 runtime::TurnTime turn_time(const Channel& channel) {
   const Spindle& spindle = channel.spindle;
   return {spindle.cutting_speed * kMmPerMetre * spindle.override_percent / 100.0, spindle.lowest,
-          std::min({spindle.highest, std::max(0.0, spindle.limit), highest_of_master(channel)})};
+          std::min({spindle.highest, limit_of_master(channel),
+                    highest_speed(channel, static_cast<int>(channel.master_spindle))})};
 }
 
 /// Whether it turns under G96.
@@ -84,11 +88,16 @@ FeedMeaning feed_meaning(int feed_type) {
   }
 }
 
+double highest_speed(const Channel& channel, int spindle) {
+  return std::min(channel.speed_limit(Channel::SpeedDatum::OfMachine, spindle),
+                  channel.speed_limit(Channel::SpeedDatum::OfG26, spindle));
+}
+
 double limited_speed(const Channel& channel, double programmed) {
-  const double limited = std::min(channel.spindle.limited(programmed), highest_of_master(channel));
-  return channel.group[Group::FeedType] == kAfterwards
-             ? std::min(limited, std::max(0.0, channel.spindle.limit))
-             : limited;
+  const double limited = std::min(channel.spindle.limited(programmed),
+                                  highest_speed(channel, static_cast<int>(channel.master_spindle)));
+  return channel.group[Group::FeedType] == kAfterwards ? std::min(limited, limit_of_master(channel))
+                                                       : limited;
 }
 
 double spindle_speed(const Channel& channel, double radius_mm) {

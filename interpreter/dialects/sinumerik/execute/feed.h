@@ -50,6 +50,9 @@ double switched(const Channel& channel, double feed_mm_min);
 /// FA of an axis that goes alone, with its overrides, mm/min or deg/min; 0: rapid.
 double positioning_feed(const Channel& channel, int axis);
 
+/// rev/min that MD35100 and SD43220 let a spindle turn.
+double highest_speed(const Channel& channel, int spindle);
+
 /// rev/min of the master spindle with OVRA and within its limits: those of G25 and G26, and LIMS
 /// under G97 (programming manual, fundamentals 11/2006: LIMS does not work with G971).
 /// @param programmed  > 0

@@ -27,15 +27,20 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
       channel.working_area.is_set = true;
     }
   }
-  const auto take_speed = [is_lower](Spindle& spindle, double speed) {
-    (is_lower ? spindle.lowest : spindle.highest) = speed;
+  const auto take_speed = [&](int number, Spindle& spindle, double speed) {
+    if (is_lower) {
+      spindle.lowest = speed;
+    } else if (!channel.keep_speed_limit(Channel::SpeedDatum::OfG26, number, speed)) {
+      spindle.highest = speed;
+    }
   };
   if (block.words.has(Address::Speed)) {
-    take_speed(channel.spindle, block.words[Address::Speed].value);
+    take_speed(static_cast<int>(channel.master_spindle), channel.spindle,
+               block.words[Address::Speed].value);
   }
   for (const BlockWords::SpindleWord& word : block.words.spindle_words) {
     if (word.address == Address::Speed) {
-      take_speed(channel.other_spindles[word.spindle], word.value);
+      take_speed(word.spindle, channel.other_spindles[word.spindle], word.value);
     }
   }
   return std::nullopt;

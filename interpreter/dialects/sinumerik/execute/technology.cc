@@ -100,7 +100,7 @@ double turning_speed(Channel& channel, const Numbered& which) {
   const double speed = std::abs(which.spindle.speed);
   return is_master && speed > 0.0
              ? limited_speed(channel, speed)
-             : std::min(which.spindle.turning_speed(), channel.highest_speed(which.number));
+             : std::min(which.spindle.turning_speed(), highest_speed(channel, which.number));
 }
 
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
@@ -165,11 +165,13 @@ MaybeFailure orient_by(Channel& channel, const Numbered& which, const BlockWords
 }
 
 /// LIMS
-MaybeFailure take_limit(Spindle& spindle, double speed) {
+MaybeFailure take_limit(Channel& channel, const Numbered& which, double speed) {
   if (speed < 0.0) {
     return failure(AlarmId::NegativeSpeedLimit, fmt::format("LIMS={:g}", speed));
   }
-  spindle.limit = speed;
+  if (!channel.keep_speed_limit(Channel::SpeedDatum::OfLims, which.number, speed)) {
+    which.spindle.limit = speed;
+  }
   return std::nullopt;
 }
 
@@ -184,7 +186,7 @@ MaybeFailure take_word(Channel& channel, const BlockWords::SpindleWord& word,
     return orient_by(channel, which, {word.value, word.modification, true, 1}, where);
   }
   if (word.address == Address::SpeedLimit) {
-    return take_limit(which.spindle, word.value);
+    return take_limit(channel, which, word.value);
   }
   which.spindle.speed = word.value;
   if (word.address == Address::Speed && which.spindle.turns()) {
@@ -245,7 +247,8 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     }
   }
   if (words.has(Address::SpeedLimit)) {
-    if (MaybeFailure wrong = take_limit(channel.spindle, words[Address::SpeedLimit].value)) {
+    if (MaybeFailure wrong =
+            take_limit(channel, master_of(channel), words[Address::SpeedLimit].value)) {
       return wrong;
     }
   }

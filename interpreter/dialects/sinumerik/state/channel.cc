@@ -76,7 +76,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       length_kind_(static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_TYPE")->place)),
       spindles_of_axes_(
           static_cast<std::size_t>(globals.find("$MA_SPIND_ASSIGN_TO_MACHAX")->place)),
-      spindle_limits_(static_cast<std::size_t>(globals.find("$MA_SPIND_VELO_LIMIT")->place)),
+      speed_limits_{static_cast<std::size_t>(globals.find("$MA_SPIND_VELO_LIMIT")->place),
+                    static_cast<std::size_t>(globals.find("$SA_SPIND_MAX_VELO_G26")->place),
+                    static_cast<std::size_t>(globals.find("$SA_SPIND_MAX_VELO_LIMS")->place)},
       tool_change_mode_(static_cast<std::size_t>(globals.find("$MC_TOOL_CHANGE_MODE")->place)),
       diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)),
       carrier_fine_(static_cast<std::size_t>(globals.find("$SC_TOCARR_FINE_CORRECTION")->place)),
@@ -162,11 +164,26 @@ std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
   return std::nullopt;
 }
 
-double Channel::highest_speed(int spindle_number) const {
+std::optional<std::size_t> Channel::place_of(SpeedDatum datum, int spindle_number) const {
   const auto axis = axis_of_spindle(spindle_number);
-  const std::size_t place = spindle_limits_ + static_cast<std::size_t>(axis.value_or(0));
-  return axis && motion_data.is_written(place) ? std::max(0.0, numbers[place])
-                                               : std::numeric_limits<double>::infinity();
+  return axis ? std::optional(speed_limits_.at(static_cast<std::size_t>(datum)) +
+                              static_cast<std::size_t>(*axis))
+              : std::nullopt;
+}
+
+double Channel::speed_limit(SpeedDatum datum, int spindle_number) const {
+  const auto place = place_of(datum, spindle_number);
+  return place && motion_data.is_written(*place) ? std::max(0.0, numbers[*place])
+                                                 : std::numeric_limits<double>::infinity();
+}
+
+bool Channel::keep_speed_limit(SpeedDatum datum, int spindle_number, double speed) {
+  const auto place = place_of(datum, spindle_number);
+  if (place) {
+    numbers[*place] = speed;
+    motion_data.written(*place);
+  }
+  return place.has_value();
 }
 
 void Channel::preset_rapids() {

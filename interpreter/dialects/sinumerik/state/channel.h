@@ -216,8 +216,16 @@ class Channel : public ChannelState {
   [[nodiscard]] bool is_lathe() const;
   /// MD35000: the rotary axis that a spindle is when it is positioned; nullopt: none.
   [[nodiscard]] std::optional<int> axis_of_spindle(int spindle_number) const;
-  /// MD35100 of that axis, rev/min, once it is written; before, and of others, without limit.
-  [[nodiscard]] double highest_speed(int spindle_number) const;
+  /// Data of that axis that limit the speed of the spindle.
+  enum class SpeedDatum {
+    OfMachine,  ///< MD35100
+    OfG26,      ///< SD43220
+    OfLims      ///< SD43230: under G96, G961 and G97
+  };
+  /// rev/min, once the datum is written; before, and of a spindle that is no axis, without limit.
+  [[nodiscard]] double speed_limit(SpeedDatum datum, int spindle_number) const;
+  /// The program says a limit.  @returns whether there is a datum that keeps it
+  bool keep_speed_limit(SpeedDatum datum, int spindle_number, double speed);
   /// SETMS: words without the number of a spindle are of this one from now on.
   void make_master(int spindle_number);
   /// As the machine knows a spindle: kToolSpindle turns the tools.
@@ -267,6 +275,8 @@ class Channel : public ChannelState {
   /// The angles of both axes of TRAORI.
   [[nodiscard]] std::array<double, 2> angles_of(const AxisPositions& q_M) const;
 
+  /// Place of a datum of the axis that a spindle is.
+  [[nodiscard]] std::optional<std::size_t> place_of(SpeedDatum datum, int spindle_number) const;
   /// Place of a group's element of MD20150.
   [[nodiscard]] std::size_t code_at_start(Group one) const;
 
@@ -289,7 +299,7 @@ class Channel : public ChannelState {
   std::size_t turning_length_plane_;            ///< place of SD42942
   std::size_t length_kind_;                     ///< place of SD42950
   std::size_t spindles_of_axes_;                ///< place of MD35000
-  std::size_t spindle_limits_;                  ///< place of MD35100
+  std::array<std::size_t, 3> speed_limits_;     ///< places of MD35100, SD43220 and SD43230
   std::size_t tool_change_mode_;                ///< place of MD22550
   std::size_t diameter_axis_;                   ///< place of MD20100, among the texts
   std::size_t carrier_fine_;                    ///< place of SD42974
