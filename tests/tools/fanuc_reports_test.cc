@@ -87,6 +87,8 @@ TEST(LatheProgram, IsNotWhatAMillMayWrite) {
         "O1\nT1 M06\nG00 G40 G50 G69 G80 G90 X10. S3000 M03\nM30\n",
         "O1\nG00 G17 G40 G49 G50 G80 G90 S3000 M03\nM30\n",
         "O1\nG90 G50 S3000 M03\nG43 H1 Z50.\nM30\n",
+        // G97 behind G96 is no second sign.
+        "O1\nG0 X50.\nG96 S100\nG97 S200\nG95 G1 X10. F.2\nM30\n",
         // A mill whose tools have four digits, points in increments no more, the end of scaling.
         "O1\nT0101 M6\nG97 S900 M3\nG90 G54 G00 X1. Y2.\nG43 H1 Z5.\nG90 X2. Z1. F100.\nM30\n",
         "O1\nG98\nT0101 M6\nG90 X25. Z-20. Y1. F40.\nM30\n",

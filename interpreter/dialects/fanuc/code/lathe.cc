@@ -172,6 +172,7 @@ struct MillSigns {
   bool changes_station = false;    ///< T0101 M6, which is no sign where nothing is milled
   bool is_milled = false;          ///< Y, a length offset or a plane that no turning is in
   bool selects_zx = false;         ///< G18
+  bool has_surface_speed = false;  ///< G96, of which G97 is the end on any machine
 
   void look_at(Words words) {
     const bool has_change = find_code(words, 'M', {6.0}) != nullptr;
@@ -179,6 +180,7 @@ struct MillSigns {
     changes_station |= has_change && is_station;
     changes_tool |= has_change && !is_station;
     changes_tool_by_t |= has_change && !is_station && has(words, 'T');
+    has_surface_speed |= find_code(words, 'G', {96.0}) != nullptr;
     selects_zx |= find_code(words, 'G', {18.0}) != nullptr;
     is_milled |=
         has(words, 'Y') || find_code(words, 'G', {17.0, 19.0, 43.0, 44.0, 49.0}) != nullptr;
@@ -198,7 +200,8 @@ struct MillSigns {
     return (sign.weight == Weight::Strong && changes_tool_by_t) ||
            (sign.weight == Weight::Weak && speak()) ||
            (sign.find == tool_with_offset && changes_tool) ||
-           (sign.find == turned_arc && selects_zx);
+           (sign.find == turned_arc && selects_zx) ||
+           (sign.find == speed_kept && has_surface_speed);
   }
 };
 
