@@ -129,6 +129,27 @@ void add_uncertainties(const CircleTask& task, const CircleColumns& columns, con
   fit.u = spread(((fit.scatter * by_mm).cwiseAbs2() + hidden.cwiseAbs2()).cwiseSqrt());
 }
 
+/// Sums over a range, from its means: of time by time and of time by angle.
+Eigen::Vector2d time_products(const PlaneSamples& samples, const FittedRange& range,
+                              const CircleResidual& residual) {
+  double count = 0.0;
+  double angle = 0.0;  // unwrapped, from the first sample
+  double before = 0.0;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();      // of time and angle
+  Eigen::Vector2d product = Eigen::Vector2d::Zero();  // time by time and time by angle
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Eigen::Vector2d e = residual.corrected(samples.at(i));
+    const double now = std::atan2(e.y(), e.x());
+    angle += count > 0.0 ? shorter_way(now - before) : 0.0;
+    before = now;
+    const double time = samples.t[i] - samples.t[range.begin];
+    sum += Eigen::Vector2d(time, angle);
+    product += time * Eigen::Vector2d(time, angle);
+    count += 1.0;
+  }
+  return product - sum * (sum.x() / count);
+}
+
 }  // namespace
 
 std::optional<CircleFit> fit_circle(const PlaneSamples& samples,
@@ -170,30 +191,13 @@ std::optional<CircleFit> fit_circle(const PlaneSamples& samples,
 
 void refine_speeds(const PlaneSamples& samples, std::span<const FittedRange> ranges,
                    const CircleErrors& errors, std::vector<CircleTurn>& turns) {
+  std::vector<Eigen::Vector2d> sums(turns.size(), Eigen::Vector2d::Zero());
+  for (const FittedRange& range : ranges) {
+    sums[range.turn] += time_products(samples, range, CircleResidual(errors, turns[range.turn]));
+  }
   for (std::size_t k = 0; k < turns.size(); ++k) {
-    CircleTurn& turn = turns[k];
-    const CircleResidual residual(errors, turn);
-    const double middle_s = 0.5 * (samples.t[turn.begin] + samples.t[turn.end - 1]);
-    double count = 0.0;
-    double angle = 0.0;  // unwrapped, from the first sample
-    double before = 0.0;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();      // of time and angle
-    Eigen::Vector2d product = Eigen::Vector2d::Zero();  // time by time and time by angle
-    for (const FittedRange& range : ranges) {
-      for (std::size_t i = range.begin; range.turn == k && i < range.end; ++i) {
-        const Eigen::Vector2d e = residual.corrected(samples.at(i));
-        const double now = std::atan2(e.y(), e.x());
-        angle += count > 0.0 ? shorter_way(now - before) : 0.0;
-        before = now;
-        const double time = samples.t[i] - middle_s;
-        sum += Eigen::Vector2d(time, angle);
-        product += time * Eigen::Vector2d(time, angle);
-        count += 1.0;
-      }
-    }
-    const double spread = count * product.x() - sum.x() * sum.x();
-    if (spread > 0.0) {
-      turn.omega = (count * product.y() - sum.x() * sum.y()) / spread;
+    if (sums[k].x() > 0.0) {
+      turns[k].omega = sums[k].y() / sums[k].x();
     }
   }
 }

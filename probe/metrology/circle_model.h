@@ -52,7 +52,8 @@ std::optional<CircleFit> fit_circle(const PlaneSamples& samples,
                                     std::span<const FittedRange> ranges, const CircleTask& task);
 
 /// Takes the angular speed of each turn from the samples of its ranges with the errors taken away,
-/// by least squares: errors bend the angle of a sample.
+/// by least squares: errors bend the angle of a sample.  Every range may begin at any time, so that
+/// a pause between two of them does not count.
 void refine_speeds(const PlaneSamples& samples, std::span<const FittedRange> ranges,
                    const CircleErrors& errors, std::vector<CircleTurn>& turns);
 
