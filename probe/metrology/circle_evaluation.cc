@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "probe/metrology/circle_leads.h"
 #include "probe/metrology/circle_ranges.h"
 #include "probe/metrology/circle_search.h"
 #include "probe/metrology/circle_uncertainty.h"
@@ -67,21 +68,12 @@ class RadialErrors {
   double angle_ = 0.0;
 };
 
-double angle_of(const std::vector<CircleTurn>& turns) {
-  double angle = 0.0;
-  for (const CircleTurn& turn : turns) {
-    angle += turn.angle;
-  }
-  return angle;
-}
-
 /// Of least squares, as a whole turn makes it.  Of less than that it would go with the form of the
 /// arc, and what the model says counts.
 Circle reference_of(const PlaneSamples& samples, const CircleEvaluation& evaluation) {
-  constexpr double kWholeTurn = 2.0 * std::numbers::pi - 2.0 * kDegree;
   const Circle of_model{evaluation.fit.errors.centre, evaluation.fit.errors.radius};
-  const bool is_whole = std::ranges::any_of(
-      evaluation.turns, [](const CircleTurn& turn) { return turn.angle >= kWholeTurn; });
+  const bool is_whole =
+      pass_whole_turn(evaluation.turns, 1) || pass_whole_turn(evaluation.turns, -1);
   return is_whole ? least_squares_circle(samples, evaluation.turns, of_model) : of_model;
 }
 
@@ -102,26 +94,28 @@ void add_minimum_zones(const PlaneSamples& samples, CircleEvaluation& evaluation
 
 Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& samples,
                                                       const CircleRequest& request) {
-  const auto found = search_circle(samples);
+  const auto found = find_circle(samples);
   if (!found) {
     return std::string("the path is not a circle");
   }
+  const Circle& circle = found->circle;
   CircleEvaluation evaluation;
-  evaluation.turns = circle_turns(samples, *found);
-  if (angle_of(evaluation.turns) < kLeastAngle) {
-    return std::string("less than half a circle was recorded");
-  }
   // The windows are found with a part of a long record, the errors with all of it.
   constexpr std::size_t kEnough = 50'000;
   CircleTask task{request.radius,
-                  {found->centre, found->radius},
+                  {circle.centre, circle.radius},
                   request.resolution,
                   samples.size() / kEnough + 1};
   task.start.pitches = request.pitches;
-  ReversalWindows windows = first_windows(found->radius);
+  evaluation.turns = without_leads(samples, *found, task);
+  if (angle_of(evaluation.turns, 1) + angle_of(evaluation.turns, -1) < kLeastAngle) {
+    return std::string("less than half a circle was recorded");
+  }
+  ReversalWindows windows = first_windows(circle.radius);
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
-    const auto ranges = described_ranges(samples, evaluation.turns, task.start.centre, windows);
+    const auto ranges =
+        described_ranges(samples, evaluation.turns, task.start.centre, windows, Ends::LeftOut);
     const auto fit = fit_circle(samples, evaluation.turns, ranges, task);
     if (!fit) {
       return std::string("too few samples of the circle lie away from its ends and the reversals");

@@ -51,13 +51,15 @@ struct CircleEvaluation {
 
 /// Evaluates a recorded circle.
 ///
-/// Radial error: distance from the centre less the radius, of every sample on the circle
-/// (`circle_turns`).  What makes the path so, `fit`, is fitted to the samples that the model
-/// describes: not those within 0.3 s of the start of a turn and 0.1 s of its end (servo loops
-/// settle; 10 to 60 degrees), nor those from 2 degrees before a reversal of an axis to 10 degrees
-/// behind it and further while the residuals are significant there (play is taken up, friction
-/// turns round), at most 40.  What form and friction make uncertain: `add_systematic`.  The spike
-/// of an axis is the largest residual outwards in those ranges.
+/// What of the record lies on the circle: `find_circle`, `circle_turns`, and `without_leads` of it
+/// all but the ways that lead into it and out of it.  Radial error: distance from the centre less
+/// the radius, of every sample there.  What makes the path so, `fit`, is fitted to the samples that
+/// the model describes: not those within 0.3 s of the start of a turn and 0.1 s of its end (servo
+/// loops settle; 10 to 60 degrees, a third of the turn at most), nor those from 2 degrees before a
+/// reversal of an axis to 10 degrees behind it and further while the residuals are significant
+/// there (play is taken up, friction turns round), at most 40.  What form and friction make
+/// uncertain: `add_systematic`.  The spike of an axis is the largest residual outwards in those
+/// ranges.
 ///
 /// Error: what is wrong with the record as a circle, one line.
 Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& samples,

@@ -13,7 +13,8 @@ constexpr double kSettling = 0.3;
 constexpr double kStopping = 0.1;
 constexpr double kLeastEnd = 10.0 * kDegree;
 constexpr double kLongestEnd = 60.0 * kDegree;
-constexpr double kLongTurn = 180.0 * kDegree;
+/// Of a turn, at either end: more would leave too little of it.
+constexpr double kMostOfTurn = 1.0 / 3.0;
 constexpr double kBefore = 2.0 * kDegree;
 constexpr double kLeastWindow = 10.0 * kDegree;
 constexpr double kWidestWindow = 40.0 * kDegree;
@@ -43,11 +44,6 @@ void along(const PlaneSamples& samples, const CircleTurn& turn, const Eigen::Vec
     before = angle;
     act(i, place_on_turn(turn, way, angle));
   }
-}
-
-bool is_described(const PlaceOnTurn& place, const ReversalWindows& windows) {
-  return !place.is_near_end && !place.is_before &&
-         place.since >= windows.at(static_cast<std::size_t>(place.axis));
 }
 
 /// Sums of residuals by the angle since a reversal of one axis.
@@ -89,11 +85,11 @@ double widened(double window, const Bins& bins, double scatter) {
 
 PlaceOnTurn place_on_turn(const CircleTurn& turn, double way, double angle) {
   PlaceOnTurn place;
-  const bool is_long = turn.angle >= kLongTurn;
   const auto margin = [&](double time) {
-    return std::clamp(std::abs(turn.omega) * time, kLeastEnd, kLongestEnd);
+    return std::min(std::clamp(std::abs(turn.omega) * time, kLeastEnd, kLongestEnd),
+                    kMostOfTurn * turn.angle);
   };
-  place.is_near_end = is_long && (way < margin(kSettling) || way > turn.angle - margin(kStopping));
+  place.is_near_end = way < margin(kSettling) || way > turn.angle - margin(kStopping);
   const double quarters = turn.direction * angle / kQuarter;
   const double last = std::floor(quarters);
   place.since = (quarters - last) * kQuarter;
@@ -102,15 +98,20 @@ PlaceOnTurn place_on_turn(const CircleTurn& turn, double way, double angle) {
   return place;
 }
 
+bool is_described(const PlaceOnTurn& place, const ReversalWindows& windows) {
+  return !place.is_before && place.since >= windows.at(static_cast<std::size_t>(place.axis));
+}
+
 std::vector<FittedRange> described_ranges(const PlaneSamples& samples,
                                           const std::vector<CircleTurn>& turns,
                                           const Eigen::Vector2d& centre,
-                                          const ReversalWindows& windows) {
+                                          const ReversalWindows& windows, Ends ends) {
   std::vector<FittedRange> ranges;
   for (std::size_t k = 0; k < turns.size(); ++k) {
     bool is_open = false;
     along(samples, turns[k], centre, [&](std::size_t i, const PlaceOnTurn& place) {
-      const bool is_in = is_described(place, windows);
+      const bool is_in =
+          (ends == Ends::Fitted || !place.is_near_end) && is_described(place, windows);
       if (is_in && !is_open) {
         ranges.push_back({k, i, i});
       }

@@ -22,11 +22,17 @@ struct PlaceOnTurn {
 /// @param angle  about the centre, rad
 PlaceOnTurn place_on_turn(const CircleTurn& turn, double way, double angle);
 
+/// Whether the ends of turns are fitted, where the axes start or stop.
+enum class Ends { LeftOut, Fitted };
+
 /// The samples that the model describes.
 std::vector<FittedRange> described_ranges(const PlaneSamples& samples,
                                           const std::vector<CircleTurn>& turns,
                                           const Eigen::Vector2d& centre,
-                                          const ReversalWindows& windows);
+                                          const ReversalWindows& windows, Ends ends);
+
+/// Whether the model describes the path at such a place away from the ends.
+bool is_described(const PlaceOnTurn& place, const ReversalWindows& windows);
 
 /// Windows for a fit: 10 degrees, half a millimetre of the axis' way and the backlash, and on
 /// as long as residuals of the fit are significant there; 40 degrees at most.

@@ -1,22 +1,24 @@
 #include "probe/metrology/circle_turns.h"
 
+#include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <numbers>
+
+#include "probe/metrology/circle_standstills.h"
 
 namespace g31::metrology {
 namespace {
 
-constexpr double kNearTheCircle = 0.02;
 /// So far back is a reversal; less is noise.
 constexpr double kReversal = 2.0 * kDegree;
 constexpr double kLeastTurn = 10.0 * kDegree;
-/// So far along the circle an end of a piece may be standstill or a way along the radius.
-constexpr double kStandstill = 0.001;
 
 /// Takes the samples on the circle one by one and cuts them where their angle turns back.
 class TurnCutter {
  public:
-  explicit TurnCutter(std::vector<CircleTurn>& turns) : turns_(turns) {}
+  TurnCutter(const PlaneSamples& samples, std::vector<CircleTurn>& turns)
+      : samples_(samples), turns_(turns) {}
 
   void take(std::size_t i, double angle) {
     if (angles_.empty()) {
@@ -63,14 +65,27 @@ class TurnCutter {
   }
 
   void give_out() {
-    const double from = at(begin_);
-    const double to = at(extreme_);
-    std::size_t first = begin_;
-    std::size_t last = extreme_;
-    for (std::size_t i = begin_; i < extreme_ && std::abs(at(i) - from) < kReversal; ++i) {
+    std::vector<double> way;
+    for (std::size_t i = begin_; i <= extreme_; ++i) {
+      way.push_back(direction_ * (at(i) - at(begin_)));
+    }
+    std::size_t begin = begin_;
+    for (const std::size_t stop : standstills(samples_.t.subspan(begin_, way.size()), way)) {
+      give_out(begin, begin_ + stop);
+      begin = begin_ + stop;
+    }
+    give_out(begin, extreme_);
+  }
+
+  void give_out(std::size_t begin, std::size_t end) {
+    const double from = at(begin);
+    const double to = at(end);
+    std::size_t first = begin;
+    std::size_t last = end;
+    for (std::size_t i = begin; i < end && std::abs(at(i) - from) < kReversal; ++i) {
       first = std::abs(at(i) - from) < kStandstill ? i : first;
     }
-    for (std::size_t i = extreme_; i > first && std::abs(at(i) - to) < kReversal; --i) {
+    for (std::size_t i = end; i > first && std::abs(at(i) - to) < kReversal; --i) {
       last = std::abs(at(i) - to) < kStandstill ? i : last;
     }
     const double angle = std::abs(at(last) - at(first));
@@ -79,6 +94,7 @@ class TurnCutter {
     }
   }
 
+  const PlaneSamples& samples_;
   std::vector<CircleTurn>& turns_;
   std::vector<double> angles_;  // unwrapped, of the samples from first_
   double last_ = 0.0;           // as atan2 gave it
@@ -112,12 +128,13 @@ double mean_speed(const PlaneSamples& samples, const Circle& circle, const Circl
 
 }  // namespace
 
-std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& circle) {
+std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& circle,
+                                     double near) {
   std::vector<CircleTurn> turns;
-  TurnCutter cutter(turns);
+  TurnCutter cutter(samples, turns);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Eigen::Vector2d q = samples.at(i) - circle.centre;
-    if (std::abs(q.norm() - circle.radius) <= kNearTheCircle * circle.radius) {
+    if (std::abs(q.norm() - circle.radius) <= near * circle.radius) {
       cutter.take(i, std::atan2(q.y(), q.x()));
     } else {
       cutter.stop();
@@ -128,6 +145,47 @@ std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& 
     turn.omega = mean_speed(samples, circle, turn);
   }
   return turns;
+}
+
+CircleTurn part_of(const PlaneSamples& samples, const Circle& circle, const CircleTurn& turn,
+                   std::size_t begin, std::size_t end) {
+  const auto angle_at = [&](std::size_t i) {
+    const Eigen::Vector2d q = samples.at(i) - circle.centre;
+    return std::atan2(q.y(), q.x());
+  };
+  CircleTurn part{begin, end, turn.direction, angle_at(begin), 0.0, turn.omega};
+  double before = part.from;
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const double now = angle_at(i);
+    part.angle += turn.direction * shorter_way(now - before);
+    before = now;
+  }
+  return part;
+}
+
+double angle_of(std::span<const CircleTurn> turns, int direction) {
+  double angle = 0.0;
+  for (const CircleTurn& turn : turns) {
+    angle += turn.direction == direction ? turn.angle : 0.0;
+  }
+  return angle;
+}
+
+bool pass_whole_turn(std::span<const CircleTurn> turns, int direction) {
+  constexpr int kDegrees = 360;
+  std::bitset<kDegrees> passed;
+  for (const CircleTurn& turn : turns) {
+    if (turn.direction != direction) {
+      continue;
+    }
+    const double to = turn.from + direction * turn.angle;
+    const auto first = static_cast<int>(std::floor(std::min(turn.from, to) / kDegree));
+    const auto last = static_cast<int>(std::floor(std::max(turn.from, to) / kDegree));
+    for (int i = first; i <= std::min(last, first + kDegrees); ++i) {
+      passed.set(static_cast<std::size_t>((i % kDegrees + kDegrees) % kDegrees));
+    }
+  }
+  return passed.count() + 2 >= kDegrees;
 }
 
 }  // namespace g31::metrology

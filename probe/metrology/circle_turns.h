@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "probe/metrology/plane_samples.h"
@@ -10,6 +11,8 @@
 namespace g31::metrology {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
+/// So far along the circle an end of a piece may be standstill or a way along the radius, rad.
+inline constexpr double kStandstill = 0.001;
 
 /// A piece of a record along a circle in one direction.
 struct CircleTurn {
@@ -33,8 +36,19 @@ inline double sign_of(double value) {
 }
 
 /// The pieces of a record that run along a circle for 10 degrees or more, in the order of the
-/// record.  A sample further than 2 percent of the radius from the circle belongs to none; nor
-/// does standstill at the ends of a piece.
-std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& circle);
+/// record.  A sample further than `near` of the radius from the circle belongs to none; nor does
+/// standstill at the ends of a piece.  A standstill amid the way ends a piece (`standstills`).
+std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& circle,
+                                     double near);
+
+/// A part of a piece, [begin, end) of its samples, at the same speed.
+CircleTurn part_of(const PlaneSamples& samples, const Circle& circle, const CircleTurn& turn,
+                   std::size_t begin, std::size_t end);
+
+/// Sum of the ways of the pieces in a direction, rad.
+double angle_of(std::span<const CircleTurn> turns, int direction);
+
+/// Whether the pieces of a direction together pass all angles, but for 2 degrees.
+bool pass_whole_turn(std::span<const CircleTurn> turns, int direction);
 
 }  // namespace g31::metrology

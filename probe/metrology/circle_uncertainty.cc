@@ -43,8 +43,8 @@ void add_change_of_windows(const FittedCircle& fitted, CircleFit& fit) {
   for (double& window : wider) {
     window += kFurther;
   }
-  const auto ranges =
-      described_ranges(fitted.samples, fitted.turns, fitted.task.start.centre, wider);
+  const auto ranges = described_ranges(fitted.samples, fitted.turns, fitted.task.start.centre,
+                                       wider, Ends::LeftOut);
   if (const auto other = fit_circle(fitted.samples, fitted.turns, ranges, fitted.task)) {
     add_change(fit, *other);
   }
@@ -79,8 +79,8 @@ void add_form(const FittedCircle& fitted, CircleFit& fit) {
   CircleTask with_lobes = fitted.task;
   with_lobes.has_lobes = true;
   with_lobes.start = fit.errors;
-  const auto ranges =
-      described_ranges(fitted.samples, fitted.turns, fitted.task.start.centre, fitted.windows);
+  const auto ranges = described_ranges(fitted.samples, fitted.turns, fitted.task.start.centre,
+                                       fitted.windows, Ends::LeftOut);
   const auto other = fit_circle(fitted.samples, fitted.turns, ranges, with_lobes);
   if (!other) {
     return;

@@ -109,6 +109,37 @@ TEST(DataFiles, SamplesOffTheCircleAreTold) {
       << notes;
 }
 
+// A pause between two turns is no stray, and what leads out of the circle at a tangent is none of
+// it.
+TEST(DataFiles, PausesAndLeadsOfACircleDoNotCount) {
+  std::string text = "t,X,Y\n";
+  int row = 0;
+  const auto add = [&](double x, double y) {
+    text += fmt::format("{:.3f},{:.9f},{:.9f}\n", 0.01 * row++, x, y);
+  };
+  const auto turn = [&] {
+    for (int i = 0; i < 720; ++i) {
+      const double angle = 0.5 * 0.0174532925199433 * i;
+      add(50.0 * std::cos(angle), 50.0 * std::sin(angle));
+    }
+  };
+  turn();
+  for (int i = 0; i < 100; ++i) {
+    add(50.0, 0.0);
+  }
+  turn();
+  for (int i = 0; i <= 90; ++i) {
+    const double angle = 0.0174532925199433 * i;
+    add(25.0 + 25.0 * std::cos(angle), 25.0 * std::sin(angle));
+  }
+  const EvaluateOutput output = evaluate_text(text, of_circle());
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_LT(output.value("circular_error"), 1e-3);
+  const std::string notes = output.document.at("notes").dump();
+  EXPECT_EQ(notes.find("between pieces"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("of 1631 samples lie on the circle"), std::string::npos) << notes;
+}
+
 TEST(DataFiles, AreRefusedWithTheLine) {
   const std::string head = "t,X,Y\n0,1,2\n0.1,1,2\n";
   struct Case {

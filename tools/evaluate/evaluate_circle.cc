@@ -121,6 +121,19 @@ std::vector<Curve> curves_of(const metrology::CircleEvaluation& circle,
   return {std::move(ccw), std::move(cw)};
 }
 
+/// Whether the path stood still between two pieces.
+bool stands_still(const metrology::PlaneSamples& samples, const metrology::CircleTurn& before,
+                  const metrology::CircleTurn& behind, double radius) {
+  const double most = 3.0 * metrology::kStandstill * radius;
+  const Eigen::Vector2d from = samples.at(before.end - 1);
+  for (std::size_t i = before.end; i <= behind.begin; ++i) {
+    if ((samples.at(i) - from).norm() > most) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// What lies between two turns the same way round and off the circle: a jump of the record, or a
 /// way to the middle and back.
 std::optional<std::string> note_of_strays(const metrology::CircleEvaluation& circle,
@@ -130,7 +143,8 @@ std::optional<std::string> note_of_strays(const metrology::CircleEvaluation& cir
   for (std::size_t turn = 1; turn < circle.turns.size(); ++turn) {
     const metrology::CircleTurn& before = circle.turns[turn - 1];
     const metrology::CircleTurn& behind = circle.turns[turn];
-    if (before.direction != behind.direction) {
+    if (before.direction != behind.direction ||
+        stands_still(samples, before, behind, circle.reference.radius)) {
       continue;
     }
     strays += behind.begin - before.end;
