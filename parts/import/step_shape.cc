@@ -99,8 +99,10 @@ void straighten_directions(const Handle(StepData_StepModel) & model) {
       continue;
     }
     TColStd_Array1OfReal& ratios = direction->DirectionRatios()->ChangeArray1();
-    const double longest = std::abs(
-        *std::ranges::max_element(ratios, {}, [](double ratio) { return std::abs(ratio); }));
+    double longest = 0.0;
+    for (const double ratio : ratios) {
+      longest = std::max(longest, std::abs(ratio));
+    }
     for (double& ratio : ratios) {
       ratio = std::abs(ratio) <= kNoise * longest ? 0.0 : ratio;
     }

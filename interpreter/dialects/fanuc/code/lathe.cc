@@ -36,9 +36,9 @@ const Word* find_code(Words words, char letter, std::initializer_list<double> co
   return found != words.end() ? &*found : nullptr;
 }
 
-/// T0101: station and offset, two digits each.
 constexpr int kStation = 100;
 
+/// T0101: station and offset, two digits each.
 bool is_tool_with_offset(const Word& word) {
   return word.letter == 'T' && word.form == ValueForm::Integer && word.digits == 4 &&
          word.number >= kStation;

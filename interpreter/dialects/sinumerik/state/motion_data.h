@@ -19,7 +19,7 @@ class MotionData {
 
   /// The data become those of a machine: MD36010 and MD36000 its windows, MD32431 the jerk of its
   /// linear axes where it limits it; MD20150 [20] is SOFT then.  MD32431, MD32310, MD35100,
-  /// MD36100 and MD36110 count once they are written.
+  /// MD36100, MD36110, SD43220 and SD43230 count once they are written.
   void take(const machine::AxisData& of_machine, std::vector<double>& numbers);
 
   /// A datum was written that counts from then on.  @param place  among the numbers
