@@ -56,8 +56,7 @@ Residuals residuals_of(const PlaneSamples& samples, const CircleTurn& turn, cons
   double before = turn.from;
   for (std::size_t i = turn.begin; i < turn.end; ++i) {
     samples.look();
-    const Eigen::Vector2d q = samples.at(i) - errors.centre;
-    const double angle = std::atan2(q.y(), q.x());
+    const double angle = angle_about(errors.centre, samples.at(i));
     way += i > turn.begin ? shorter_way(turn.direction * (angle - before)) : 0.0;
     before = angle;
     const PlaceOnTurn place = place_on_turn(turn, way, angle);
@@ -154,10 +153,7 @@ class Judge {
 CircleTurn core_of(const PlaneSamples& samples, const CircleTurn& turn, const Circle& circle,
                    double margin) {
   std::vector<double> way = {0.0};
-  const auto angle_at = [&](std::size_t i) {
-    const Eigen::Vector2d q = samples.at(i) - circle.centre;
-    return std::atan2(q.y(), q.x());
-  };
+  const auto angle_at = [&](std::size_t i) { return angle_about(circle.centre, samples.at(i)); };
   double before = angle_at(turn.begin);
   for (std::size_t i = turn.begin + 1; i < turn.end; ++i) {
     const double angle = angle_at(i);

@@ -30,7 +30,7 @@ double angle_of_way(double way, double radius) {
   return std::acos(std::clamp(1.0 - way / radius, -1.0, 1.0));
 }
 
-/// Calls `act(i, q, place)` for each sample of a turn, q from the centre.
+/// Calls `act(i, place)` for each sample of a turn.
 template <typename Act>
 void along(const PlaneSamples& samples, const CircleTurn& turn, const Eigen::Vector2d& centre,
            Act act) {
@@ -38,8 +38,7 @@ void along(const PlaneSamples& samples, const CircleTurn& turn, const Eigen::Vec
   double before = turn.from;
   for (std::size_t i = turn.begin; i < turn.end; ++i) {
     samples.look();
-    const Eigen::Vector2d q = samples.at(i) - centre;
-    const double angle = std::atan2(q.y(), q.x());
+    const double angle = angle_about(centre, samples.at(i));
     way += shorter_way(turn.direction * (angle - before));
     before = angle;
     act(i, place_on_turn(turn, way, angle));

@@ -22,10 +22,7 @@ constexpr double kLosingAngle = 60.0 * kDegree;
 /// @param step  -1 before, +1 behind
 double rest_time(const PlaneSamples& samples, const Eigen::Vector2d& centre, std::size_t at,
                  int step) {
-  const auto angle = [&](std::size_t i) {
-    const Eigen::Vector2d q = samples.at(i) - centre;
-    return std::atan2(q.y(), q.x());
-  };
+  const auto angle = [&](std::size_t i) { return angle_about(centre, samples.at(i)); };
   const auto next = [&](std::size_t i) { return i + static_cast<std::size_t>(step); };
   const std::size_t out = step < 0 ? static_cast<std::size_t>(-1) : samples.size();
   const double here = angle(at);

@@ -106,24 +106,26 @@ class TurnCutter {
   int direction_ = 0;
 };
 
-/// Angle by time where the path neither starts nor ends.
-double mean_speed(const PlaneSamples& samples, const Circle& circle, const CircleTurn& turn) {
-  const auto angle_at = [&](std::size_t i) {
-    const Eigen::Vector2d q = samples.at(i) - circle.centre;
-    return std::atan2(q.y(), q.x());
-  };
-  const std::size_t tenth = (turn.end - turn.begin) / 10;
-  const std::size_t first = turn.begin + tenth;
-  const std::size_t last = turn.end - 1 - tenth;
+/// Over the samples [begin, end), rad, positive counter-clockwise.
+double angle_passed(const PlaneSamples& samples, const Circle& circle, std::size_t begin,
+                    std::size_t end) {
   double angle = 0.0;
-  double before = angle_at(first);
-  for (std::size_t i = first + 1; i <= last; ++i) {
-    const double now = angle_at(i);
+  double before = angle_about(circle.centre, samples.at(begin));
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const double now = angle_about(circle.centre, samples.at(i));
     angle += shorter_way(now - before);
     before = now;
   }
+  return angle;
+}
+
+/// Angle by time where the path neither starts nor ends.
+double mean_speed(const PlaneSamples& samples, const Circle& circle, const CircleTurn& turn) {
+  const std::size_t tenth = (turn.end - turn.begin) / 10;
+  const std::size_t first = turn.begin + tenth;
+  const std::size_t last = turn.end - 1 - tenth;
   const double time = samples.t[last] - samples.t[first];
-  return time > 0.0 ? angle / time : 0.0;
+  return time > 0.0 ? angle_passed(samples, circle, first, last + 1) / time : 0.0;
 }
 
 }  // namespace
@@ -149,18 +151,9 @@ std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& 
 
 CircleTurn part_of(const PlaneSamples& samples, const Circle& circle, const CircleTurn& turn,
                    std::size_t begin, std::size_t end) {
-  const auto angle_at = [&](std::size_t i) {
-    const Eigen::Vector2d q = samples.at(i) - circle.centre;
-    return std::atan2(q.y(), q.x());
-  };
-  CircleTurn part{begin, end, turn.direction, angle_at(begin), 0.0, turn.omega};
-  double before = part.from;
-  for (std::size_t i = begin + 1; i < end; ++i) {
-    const double now = angle_at(i);
-    part.angle += turn.direction * shorter_way(now - before);
-    before = now;
-  }
-  return part;
+  const double from = angle_about(circle.centre, samples.at(begin));
+  const double angle = turn.direction * angle_passed(samples, circle, begin, end);
+  return {begin, end, turn.direction, from, angle, turn.omega};
 }
 
 double angle_of(std::span<const CircleTurn> turns, int direction) {

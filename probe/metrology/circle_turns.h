@@ -35,6 +35,12 @@ inline double sign_of(double value) {
   return value < 0.0 ? -1.0 : 1.0;
 }
 
+/// Of a point about a centre, from -pi to pi.
+inline double angle_about(const Eigen::Vector2d& centre, const Eigen::Vector2d& p) {
+  const Eigen::Vector2d q = p - centre;
+  return std::atan2(q.y(), q.x());
+}
+
 /// The pieces of a record that run along a circle for 10 degrees or more, in the order of the
 /// record.  A sample further than `near` of the radius from the circle belongs to none; nor does
 /// standstill at the ends of a piece.  A standstill amid the way ends a piece (`standstills`).

@@ -102,24 +102,25 @@ TEST(StepFacets, ThatCannotCoverAFaceAreRefused) {
   EXPECT_NE(mesh.error().find("step_sagitta"), std::string::npos) << mesh.error();
 }
 
-TopoDS_Compound together(const std::vector<TopoDS_Shape>& shapes) {
-  TopoDS_Compound all;
+/// @param whole  a new compound or shell
+TopoDS_Shape with(TopoDS_Shape whole, const std::vector<TopoDS_Shape>& parts) {
   const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Shape& shape : shapes) {
-    builder.Add(all, shape);
+  for (const TopoDS_Shape& part : parts) {
+    builder.Add(whole, part);
   }
-  return all;
+  return whole;
+}
+
+TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound all;
+  BRep_Builder().MakeCompound(all);
+  return with(all, shapes);
 }
 
 TopoDS_Shape shell_of(const std::vector<TopoDS_Shape>& faces) {
   TopoDS_Shell shell;
-  const BRep_Builder builder;
-  builder.MakeShell(shell);
-  for (const TopoDS_Shape& face : faces) {
-    builder.Add(shell, face);
-  }
-  return shell;
+  BRep_Builder().MakeShell(shell);
+  return with(shell, faces);
 }
 
 TopoDS_Shape plane_face(double z_mm) {
@@ -184,7 +185,7 @@ TEST(StepFacets, AreOfAllSurfacesWhereAFileHasNoBody) {
 }
 
 TEST(StepFacets, ThatCannotBeMadeAreNoMistakeOfThePlannedSheet) {
-  const TopoDS_Compound both =
+  const TopoDS_Shape both =
       together({testing::cut(testing::block({{0, 0, -30}, {100, 80, 0}}),
                              {testing::block({{30, 30, -10}, {70, 50, 0}})}),
                 BRepPrimAPI_MakePrism(crossed_face(), gp_Vec(0, 0, 5)).Shape()});

@@ -28,6 +28,10 @@ bool has(Words words, char letter) {
   return find(words, letter) != nullptr;
 }
 
+bool has_one(Words words, char letter) {
+  return std::ranges::count(words, letter, &Word::letter) == 1;
+}
+
 const Word* find_code(Words words, char letter, std::initializer_list<double> codes) {
   const auto found = std::ranges::find_if(words, [&](const Word& word) {
     return word.letter == letter && is_plain(word) &&
@@ -93,9 +97,7 @@ const Word* thread(Words words) {
 const Word* turning_cycle(Words words) {
   const bool is_of_a_lathe =
       has(words, 'F') && has(words, 'X') && has(words, 'Z') && !has(words, 'Y') && !has(words, 'R');
-  const auto codes =
-      std::ranges::count_if(words, [](const Word& word) { return word.letter == 'G'; });
-  return is_of_a_lathe && codes == 1 ? find_code(words, 'G', {90.0, 94.0}) : nullptr;
+  return is_of_a_lathe && has_one(words, 'G') ? find_code(words, 'G', {90.0, 94.0}) : nullptr;
 }
 
 /// G50 X Z of system A sets coordinates; on a mill G50 ends scaling, in a line that makes all safe.
@@ -104,8 +106,7 @@ const Word* coordinates_set(Words words) {
     return word.letter != 'G' && word.letter != 'N' && word.letter != 'X' && word.letter != 'Z';
   };
   const bool is_of_a_lathe = has(words, 'X') && has(words, 'Z') &&
-                             std::ranges::none_of(words, is_other) &&
-                             std::ranges::count(words, 'G', &Word::letter) == 1;
+                             std::ranges::none_of(words, is_other) && has_one(words, 'G');
   return is_of_a_lathe ? find_code(words, 'G', {50.0}) : nullptr;
 }
 
@@ -186,18 +187,13 @@ struct MillSigns {
         has(words, 'Y') || find_code(words, 'G', {17.0, 19.0, 43.0, 44.0, 49.0}) != nullptr;
   }
 
-  /// Behind the last block.
-  void conclude() {
-    changes_tool |= changes_station && is_milled;
-    changes_tool_by_t |= changes_station && is_milled;
-  }
-
   /// Whether one sign is not enough, whichever it is: G50 S in the line that makes all functions of
   /// a mill safe is the end of scaling and a speed.
   [[nodiscard]] bool speak() const { return is_milled || changes_tool; }
 
   [[nodiscard]] bool acquit(const Sign& sign) const {
-    return (sign.weight == Weight::Strong && changes_tool_by_t) ||
+    const bool changes_by_t = changes_tool_by_t || (changes_station && is_milled);
+    return (sign.weight == Weight::Strong && changes_by_t) ||
            (sign.weight == Weight::Weak && speak()) ||
            (sign.find == tool_with_offset && changes_tool) ||
            (sign.find == turned_arc && selects_zx) ||
@@ -266,7 +262,6 @@ Found look_through(const CompiledProgram& program) {
       }
     }
   }
-  found.mill.conclude();
   return found;
 }
 

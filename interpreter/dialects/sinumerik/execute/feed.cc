@@ -26,9 +26,8 @@ constexpr double kMostFeed = 1e12;
 
 /// rev/min that LIMS lets the master spindle turn.
 double limit_of_master(const Channel& channel) {
-  const double of_datum =
-      channel.speed_limit(Channel::SpeedDatum::OfLims, static_cast<int>(channel.master_spindle));
-  return std::min(of_datum, std::max(0.0, channel.spindle.limit));
+  const double of_datum = channel.speed_limit(Channel::SpeedDatum::OfLims, channel.master_number());
+  return std::min(of_datum, channel.spindle.limit);
 }
 
 /// Of G96, with OVRA.
@@ -36,7 +35,7 @@ runtime::TurnTime turn_time(const Channel& channel) {
   const Spindle& spindle = channel.spindle;
   return {spindle.cutting_speed * kMmPerMetre * spindle.override_percent / 100.0, spindle.lowest,
           std::min({spindle.highest, limit_of_master(channel),
-                    highest_speed(channel, static_cast<int>(channel.master_spindle))})};
+                    highest_speed(channel, channel.master_number())})};
 }
 
 /// Whether it turns under G96.
@@ -95,7 +94,7 @@ double highest_speed(const Channel& channel, int spindle) {
 
 double limited_speed(const Channel& channel, double programmed) {
   const double limited = std::min(channel.spindle.limited(programmed),
-                                  highest_speed(channel, static_cast<int>(channel.master_spindle)));
+                                  highest_speed(channel, channel.master_number()));
   return channel.group[Group::FeedType] == kAfterwards ? std::min(limited, limit_of_master(channel))
                                                        : limited;
 }

@@ -35,8 +35,7 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
     }
   };
   if (block.words.has(Address::Speed)) {
-    take_speed(static_cast<int>(channel.master_spindle), channel.spindle,
-               block.words[Address::Speed].value);
+    take_speed(channel.master_number(), channel.spindle, block.words[Address::Speed].value);
   }
   for (const BlockWords::SpindleWord& word : block.words.spindle_words) {
     if (word.address == Address::Speed) {

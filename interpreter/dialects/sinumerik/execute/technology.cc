@@ -54,7 +54,7 @@ struct Numbered {
 };
 
 Numbered master_of(Channel& channel) {
-  return {static_cast<int>(channel.master_spindle), channel.spindle};
+  return {channel.master_number(), channel.spindle};
 }
 
 /// Where a spindle is to stand, or how far it is to turn from where it stands.
@@ -93,7 +93,7 @@ MaybeFailure orient(Channel& channel, const Numbered& which, const SpindlePlace&
 
 /// rev/min as the control turns a spindle.
 double turning_speed(Channel& channel, const Numbered& which) {
-  const bool is_master = which.number == static_cast<int>(channel.master_spindle);
+  const bool is_master = which.number == channel.master_number();
   if (is_master && cuts_at_constant_speed(channel.group[Group::FeedType])) {
     return spindle_speed(channel, channel.present()[kTransverseAxis]);
   }
@@ -219,8 +219,8 @@ void tell_spindle(Channel& channel) {
 }
 
 void change_master(Channel& channel, int number) {
-  const bool cuts = cuts_at_constant_speed(channel.group[Group::FeedType]) &&
-                    number != static_cast<int>(channel.master_spindle);
+  const bool cuts =
+      cuts_at_constant_speed(channel.group[Group::FeedType]) && number != channel.master_number();
   const double cutting_speed = channel.spindle.cutting_speed;
   if (cuts) {
     channel.spindle.speed = kept_speed(channel);

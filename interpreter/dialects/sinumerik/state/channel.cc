@@ -135,7 +135,7 @@ void Channel::preset_codes() {
 }
 
 void Channel::make_master(int spindle_number) {
-  const int old = static_cast<int>(master_spindle);
+  const int old = master_number();
   if (spindle_number != old) {
     other_spindles[old] = spindle;
     spindle = other_spindles[spindle_number];
@@ -156,8 +156,9 @@ std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
     return std::nullopt;  // what the data of axes without a spindle say
   }
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    if (is_rotary_axis(axis) && port.travel(axis) &&
-        numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number) {
+    // The machine is asked last: where no axis is a spindle, each speed would ask it of all.
+    if (numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number &&
+        is_rotary_axis(axis) && port.travel(axis)) {
       return axis;
     }
   }

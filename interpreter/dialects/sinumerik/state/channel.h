@@ -226,6 +226,7 @@ class Channel : public ChannelState {
   [[nodiscard]] double speed_limit(SpeedDatum datum, int spindle_number) const;
   /// The program says a limit.  @returns whether there is a datum that keeps it
   bool keep_speed_limit(SpeedDatum datum, int spindle_number, double speed);
+  [[nodiscard]] int master_number() const { return static_cast<int>(master_spindle); }
   /// SETMS: words without the number of a spindle are of this one from now on.
   void make_master(int spindle_number);
   /// As the machine knows a spindle: kToolSpindle turns the tools.
