@@ -41,15 +41,8 @@ std::string_view written(const source::SourceFile& file, const Word& word) {
 bool may_call(const Word& word, const fanuc::Profile& profile, const WordReading& reading) {
   const bool is_code = word.letter == 'G' || word.letter == 'M';
   const bool is_open = is_code && word.form == syntax::ValueForm::Computed;
-  if (word.letter == '/' || is_open || fanuc::calls_program(word) || fanuc::is_return(word)) {
-    return true;
-  }
-  if (word.letter != 'G') {
-    return false;
-  }
-  const fanuc::GCode* const code = fanuc::find_g_code(word.number, profile);
-  return code == nullptr || code->set != fanuc::CodeSet::Family ||
-         reading.calling_codes.contains(fanuc::nearest_integer(word.number));
+  return word.letter == '/' || is_open || fanuc::calls_program(word) || fanuc::is_return(word) ||
+         (word.letter == 'G' && g_code_may_call(word.number, profile, reading));
 }
 
 /// A first word M may call a macro, and the others are its arguments.

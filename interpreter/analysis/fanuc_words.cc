@@ -44,14 +44,10 @@ bool is_macro_call(const EvaluatedWord& word) {
 
 void take_code(CodesOfBlock& codes, const EvaluatedWord& word, const fanuc::Profile& profile) {
   const GCode* const code = fanuc::find_g_code(word.number, profile);
-  const bool is_known = code != nullptr;
-  const bool is_common = is_known && code->set == fanuc::CodeSet::Family;
-  // The sheet makes whole numbers call macros, also in the place of a maker's own code.
-  // One that g31 has not may be an option of the real control.
-  codes.is_open |= !is_common || code->action == GAction::MacroCall;
-  if (!is_known) {
+  if (code == nullptr) {
     return;
   }
+  codes.is_open |= code->action == GAction::MacroCall;
   codes.has_mode |= fanuc::leaves_words(code->action) && code->action != GAction::ExactStop;
   const bool is_one_shot =
       code->group == fanuc::Group::OneShot && !fanuc::leaves_words(code->action);
@@ -75,9 +71,11 @@ class JudgedBlock {
               const WordReading& reading)
       : profile_(profile), reading_(reading), whole_(whole), given_(words), words_(words) {
     for (const EvaluatedWord& word : words_.words().all()) {
-      codes_.is_open |=
-          word.letter == 'G' && reading.calling_codes.contains(fanuc::nearest_integer(word.number));
-      if (word.letter == 'G' && !is_macro_call(word) && !is_g(word, 67.0)) {
+      if (word.letter != 'G') {
+        continue;
+      }
+      codes_.is_open |= g_code_may_call(word.number, profile, reading);
+      if (!is_macro_call(word) && !is_g(word, 67.0)) {
         take_code(codes_, word, profile);
       }
     }
@@ -302,6 +300,12 @@ bool begins_data(Words words) {
 }
 
 }  // namespace
+
+bool g_code_may_call(double code, const fanuc::Profile& profile, const WordReading& reading) {
+  const GCode* const row = fanuc::find_g_code(code, profile);
+  return row == nullptr || row->set != fanuc::CodeSet::Family ||
+         reading.calling_codes.contains(fanuc::nearest_integer(code));
+}
 
 FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,
                        const WordReading& reading)

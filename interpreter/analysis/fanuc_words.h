@@ -23,6 +23,10 @@ struct WordFindings {
   std::vector<LostPoint> lost_points;
 };
 
+/// Whether a G code may call a macro: the sheet says so, also in the place of a maker's own code,
+/// or g31 does not have it, and it may be an option of the real control.
+bool g_code_may_call(double code, const fanuc::Profile& profile, const WordReading& reading);
+
 /// Judges the numbers of NC blocks by what a run takes there, in whatever state it comes to them.
 ///
 /// Words that may be arguments of a macro are not judged: those of a block that begins with an M
