@@ -39,12 +39,17 @@ std::string in_unit(std::string text, double unit) {
   return text;
 }
 
+/// The program's feed of 1270 mm/min behind the cycle, in mm/min.
+constexpr const char* kFeed = "R99";
+
 MeasuringRun run_in(const Call& call, const std::string& code, double unit) {
   std::vector<std::string> names = call.lengths;
   names.insert(names.end(), call.others.begin(), call.others.end());
-  return run_measuring(
-      fmt::format("{}\n{}\n{}\nG710", call.approach, code, in_unit(call.cycle, unit)),
-      {call.part, kCalibrated}, names);
+  names.emplace_back(kFeed);
+  const double per_minute = 1270.0 / (code == "G700" ? unit : 1.0);  // G70 leaves feeds in mm
+  return run_measuring(fmt::format("{}\n{} F{}\n{}\nG710\n{}=$P_F", call.approach, code, per_minute,
+                                   in_unit(call.cycle, unit), kFeed),
+                       {call.part, kCalibrated}, names);
 }
 
 void expect_same_touches(const MeasuringRun& run, const MeasuringRun& wanted) {
@@ -157,6 +162,7 @@ TEST(MeasuringUnits, EachCycleMeasuresTheSameInAllFour) {
       const MeasuringRun run = run_in(call, code, unit);
       ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
       expect_same_touches(run, metric);
+      EXPECT_NEAR(run.at(kFeed), 1270.0, 1e-9);
       for (const std::string& name : call.lengths) {
         EXPECT_NEAR(run.at(name) * unit, metric.at(name), 1e-9) << name;
       }

@@ -14,7 +14,7 @@ namespace {
 /// G95 have the last S in rev/min count (programming manual, fundamentals 10/2004, G96).
 void change_feed_type(Channel& channel, int before) {
   if (feed_meaning(before) != feed_meaning(channel.group[Group::FeedType])) {
-    channel.feed = 0.0;
+    channel.feed = {};
   }
   if (cuts_at_constant_speed(before) && keeps_speed(channel.group[Group::FeedType])) {
     const int now = std::exchange(channel.group[Group::FeedType], before);

@@ -119,8 +119,7 @@ MaybeFailure hold_line(Channel& channel, const Block& block) {
     return q_W_end.error();
   }
   line.q_W_end = q_W_end.value();
-  line.feed =
-      block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
+  line.feed = feed_of_block(channel, block);
   line.g = motion == number_in_group("G0") ? 0 : 1;
   line.ends = block_end(channel);
   line.rapid_path = channel.rapid_path();

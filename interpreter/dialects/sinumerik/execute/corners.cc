@@ -132,7 +132,7 @@ MaybeFailure read_corner(Channel& channel, const Block& block) {
     corners.modal_radius_mm = words[Address::ModalRounding].value * channel.mm_per_length();
   }
   if (words.has(Address::ModalCornerFeed)) {
-    corners.modal_feed = words[Address::ModalCornerFeed].value;
+    corners.modal_feed = programmed(channel, words[Address::ModalCornerFeed].value);
   }
   if (MaybeFailure wrong = take_wish(channel, words)) {
     return wrong;
@@ -147,9 +147,10 @@ MaybeFailure read_corner(Channel& channel, const Block& block) {
     return failure(AlarmId::NotImplemented, "RND and CHF in a tilted or unequally scaled plane");
   }
   corners.wish.size_mm *= plane.scale;
-  const double feed =
-      words.has(Address::CornerFeed) ? words[Address::CornerFeed].value : corners.modal_feed;
-  if (feed > 0.0 && feed_meaning(channel.group[Group::FeedType]) != FeedMeaning::InverseTime) {
+  const Feed feed = words.has(Address::CornerFeed)
+                        ? programmed(channel, words[Address::CornerFeed].value)
+                        : corners.modal_feed;
+  if (feed.word > 0.0 && feed_meaning(channel.group[Group::FeedType]) != FeedMeaning::InverseTime) {
     FeedWay way;
     way.feed = feed;
     way.radius_from_mm = way.radius_to_mm = channel.present()[kTransverseAxis];

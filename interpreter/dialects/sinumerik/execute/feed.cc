@@ -133,14 +133,27 @@ Result<double, Failure> helix_share(const Channel& channel, double arc_mm, doubl
   return counted > 0.0 ? length / counted : 1.0;
 }
 
+Feed programmed(const Channel& channel, double word) {
+  const bool counts_time = feed_meaning(channel.group[Group::FeedType]) == FeedMeaning::InverseTime;
+  return {word, counts_time ? 1.0 : channel.mm_per_feed()};
+}
+
+Feed feed_of_block(const Channel& channel, const Block& block) {
+  const auto& word = block.words[Address::BlockFeed];
+  return word.present ? programmed(channel, word.value) : channel.feed;
+}
+
 FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_end,
                  double length_mm) {
   FeedWay way;
   way.length_mm = length_mm;
   way.radius_from_mm = channel.present()[kTransverseAxis];
   way.radius_to_mm = q_W_end[kTransverseAxis];
-  way.feed =
-      block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
+  way.feed = feed_of_block(channel, block);
+  if (way.feed.per_word != 1.0) {
+    const AxisPositions way_W = q_W_end - channel.present();
+    way.turns = way_W.head<3>().isZero(0.0) && !way_W.isZero(0.0);
+  }
   if (!channel.axis_settings.counts_as_usual) {
     way.share = straight_share(channel.axis_settings,
                                channel.to_machine(q_W_end) - channel.machine_position());
@@ -209,13 +222,13 @@ namespace {
 /// mm/min, as F, S and the way make it, without override.
 Result<double, Failure> programmed_feed(Channel& channel, const Block& block, const FeedWay& way) {
   const int type = channel.group[Group::FeedType];
-  const double feed = way.feed * channel.mm_per_feed() * way.share;
+  const double feed = (way.turns ? way.feed.word : way.feed.kept()) * way.share;
   if (feed_meaning(type) == FeedMeaning::InverseTime) {
-    if (!(way.feed > 0.0) || !block.words.has(Address::Feed)) {
+    if (!(way.feed.word > 0.0) || !block.words.has(Address::Feed)) {
       return failure(AlarmId::NoFeed, "G93 needs F in every block");
     }
     // A block without a way takes no time: any feed will do.
-    return way.length_mm > 0.0 ? way.feed * way.length_mm : way.feed;
+    return way.length_mm > 0.0 ? way.feed.word * way.length_mm : way.feed.word;
   }
   if (!is_feed(feed)) {
     return failure(no_feed());

@@ -21,7 +21,8 @@ struct FeedWay {
   double radius_from_mm = 0.0;      ///< G96: work coordinate X where the way begins
   double radius_to_mm = 0.0;        ///< and where it ends
   std::optional<CircleInX> circle;  ///< G96: nullopt: X changes evenly
-  double feed = 0.0;                ///< as programmed: F or FB
+  Feed feed;                        ///< F or FB
+  bool turns = false;               ///< rotary axes move alone: F counts degrees
   double share = 1.0;               ///< feed of the machine over that of the axes of FGROUP
 };
 
@@ -37,6 +38,12 @@ Result<double, Failure> feed_in_force(Channel& channel, const Block& block, cons
 /// Tells of a feed per revolution or a lead while the spindle stands.  What codes of the builder's
 /// do to it is not known.
 void tell_standing_spindle(Channel& channel, const Block& block);
+
+/// What a word F, FB or FRC says now.
+Feed programmed(const Channel& channel, double word);
+
+/// FB, or the feed in force.
+Feed feed_of_block(const Channel& channel, const Block& block);
 
 /// On a helix: the feed of the machine over that of the axes of FGROUP.  Alarm 12140 where FGROUP
 /// has one axis of the plane only.

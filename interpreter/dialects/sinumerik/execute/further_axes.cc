@@ -106,8 +106,7 @@ MaybeFailure go_along(Channel& channel, const Block& block, bool with_path) {
   }
   FeedWay way;
   way.length_mm = std::sqrt(square);
-  way.feed =
-      block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
+  way.feed = feed_of_block(channel, block);
   const auto feed = feed_in_force(channel, block, way);
   return feed ? pause(channel, {kSecondsPerMinute * way.length_mm / feed.value(), block.where})
               : MaybeFailure(feed.error());

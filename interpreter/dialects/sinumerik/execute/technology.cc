@@ -235,7 +235,9 @@ void change_master(Channel& channel, int number) {
 MaybeFailure take_technology(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
   if (is_technology(block)) {
-    channel.feed = words.has(Address::Feed) ? words[Address::Feed].value : channel.feed;
+    if (words.has(Address::Feed)) {
+      channel.feed = programmed(channel, words[Address::Feed].value);
+    }
     if (words.has(Address::Speed)) {
       take_speed(channel, words[Address::Speed].value);
       tell_spindle(channel);

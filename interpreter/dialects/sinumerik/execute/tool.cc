@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/runtime/probe_inside.h"
 
 namespace g31::sinumerik {
@@ -110,7 +111,7 @@ MaybeFailure take_tooth_feed(Channel& channel, double per_tooth) {
   if (!(per_tooth * count > 0.0)) {
     return failure(AlarmId::FeedNotPositive, fmt::format("FZ={:g}, {:g} teeth", per_tooth, count));
   }
-  channel.feed = per_tooth * count;
+  channel.feed = programmed(channel, per_tooth * count);
   return std::nullopt;
 }
 

@@ -71,7 +71,7 @@ struct ChannelState {
 
   // Modal state
   GroupNumbers group;
-  double feed = 0.0;                      ///< as programmed
+  Feed feed;                              ///< F
   Spindle spindle;                        ///< the master spindle
   std::map<int, Spindle> other_spindles;  ///< by number, all others that programs have named
   AxisSettings axis_settings;

@@ -151,12 +151,23 @@ struct ProgramStops {
 inline constexpr path::CornerRules kCornerRules = {
     path::CornerRules::TooLarge::Shrinks, path::CornerRules::ChamferAtArc::Refused, 1e-9, true};
 
+/// F, FB, FRC or FRCM, in the unit that was in force where it stands.  G700 and G710 behind it
+/// change nothing of it (Basic Functions 09/2011, 6FC5397-0BP40-2BA0, G2 7.3, page 341).
+struct Feed {
+  double word = 0.0;      ///< as programmed, a minute or a revolution
+  double per_word = 1.0;  ///< mm in one unit of the word; 1 with G93, which counts blocks a minute
+
+  /// mm, or blocks; rotary axes that move alone go by degrees, as the word says.
+  [[nodiscard]] double kept() const { return word * per_word; }
+  bool operator==(const Feed&) const = default;
+};
+
 /// Roundings and chamfers, and what the present block says to them.
 struct CornerStage {
   path::ContourCorners contour{kCornerRules};
   path::CornerWish wish;
   double modal_radius_mm = 0.0;    ///< RNDM
-  double modal_feed = 0.0;         ///< FRCM, as programmed
+  Feed modal_feed;                 ///< FRCM
   double passing_mm = 0.0;         ///< ADIS: where G641 begins to round, at most
   double passing_rapid_mm = 0.0;   ///< ADISPOS: the same of rapids
   double axis_tolerance_mm = 0.0;  ///< ATOL; 0: that of the machine data
@@ -168,8 +179,8 @@ struct CornerStage {
 struct HeldLine {
   double degrees = 0.0;                           ///< from the first axis of the plane
   AxisPositions q_W_end = AxisPositions::Zero();  ///< but for the plane
-  double feed = 0.0;                              ///< as programmed
-  int g = 1;                                      ///< 0 rapid
+  Feed feed;
+  int g = 1;  ///< 0 rapid
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
   machine::RapidPath rapid_path = machine::RapidPath::Straight;
   path::CornerWish wish;

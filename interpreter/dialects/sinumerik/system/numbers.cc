@@ -115,7 +115,7 @@ Number channel_number(Channel& /*channel*/, const SystemAccess& /*access*/) {
 }
 
 Number feed(Channel& channel, const SystemAccess& /*access*/) {
-  return channel.feed;
+  return channel.feed.kept() / programmed(channel, 1.0).kept();
 }
 
 Number first_axis(Channel& channel, const SystemAccess& /*access*/) {
