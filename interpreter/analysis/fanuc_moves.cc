@@ -12,14 +12,18 @@ namespace {
 
 using fanuc::GAction;
 
+Move::Kind kind_of_motion(int code) {
+  return code == 0 || code == 60  ? Move::Kind::Rapid
+         : code == 2 || code == 3 ? Move::Kind::Arc
+                                  : Move::Kind::Line;
+}
+
 /// The move that a G code makes of its block; nullopt: it leaves that to others.
 std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
   switch (code.action) {
     case GAction::Motion:
     case GAction::SingleDirection:
-      return code.number.whole == 0 || code.number.whole == 60  ? Move::Kind::Rapid
-             : code.number.whole == 2 || code.number.whole == 3 ? Move::Kind::Arc
-                                                                : Move::Kind::Line;
+      return kind_of_motion(code.number.whole);
     case GAction::Skip:
     case GAction::MeasureTool:
     case GAction::MeasureDiameter:
@@ -35,6 +39,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::HolePattern:
       return Move::Kind::Cycle;
     case GAction::Modal:
+    case GAction::LengthUnit:
     case GAction::NoEffect:
     case GAction::ExactStop:
     case GAction::ContourControl:

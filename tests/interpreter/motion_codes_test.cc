@@ -141,7 +141,9 @@ TEST(Feed, IsPerMinuteOrPerTurn) {
        "G61G1X1.F100\nG62X2.\nG63X3.\nG64X4.",
        {"move 1.000 0.000 0.000 F100", "move 2.000 0.000 0.000 F100", "move 3.000 0.000 0.000 F100",
         "move 4.000 0.000 0.000 F100"}},
-      {"G53 in the mode of group 01", "G10L2P1X50.\nG1G53X3.F100", {"move 3.000 0.000 0.000 F100"}},
+      {"G53 is a rapid, whatever group 01 says",
+       "G10L2P1X50.\nG1G53X3.F100",
+       {"move 3.000 0.000 0.000 rapid"}},
       {"G53 under G91 is nothing", "G91G53X3.", {}},
       {"G22 moves nothing", "G22X-10.Y-10.I-20.J-20.", {}},
   };

@@ -1071,3 +1071,49 @@ G136 X10. F100.
 M30
 %
 (EXPECT WARNING PRB334)
+
+(CASE G20 and G21 say what setting 9 has to be)
+(SOURCE Haas mill operator's manual, NGC 2017: G20 and G21)
+(SET #20009 = 1)
+%
+O1
+G21
+X1.
+G20
+M30
+%
+(EXPECT MOVE 1 X1)
+(EXPECT ALARM 10 AT 7)
+
+(CASE G21 where setting 9 is inch)
+(SET #20009 = 0)
+%
+O1
+G20 X1.
+G21
+M30
+%
+(EXPECT MOVE 1 X25.4)
+(EXPECT ALARM 10 AT 5)
+
+(CASE where no sheet says how setting 9 is, the first of both codes does)
+%
+O1
+G20 X1.
+#100=#20009
+G20 X2.
+G21
+M30
+%
+(EXPECT MOVE 2 X50.8)
+(EXPECT #100 = 0)
+(EXPECT ALARM 10 AT 6)
+
+(CASE also one that says what was in force anyway)
+%
+O1
+G21 X1.
+G20
+M30
+%
+(EXPECT ALARM 10 AT 4)

@@ -282,3 +282,24 @@ M30
 (EXPECT #100 = 1)
 (EXPECT #101 = 1)
 (EXPECT #102 = 1)
+
+(CASE MB-291 G53 is a rapid behind G01, too, and G01 stays in force)
+%
+O1
+G01 X10. F100.
+G53 X50.
+X60.
+M30
+%
+(EXPECT MOVE 2 G0 X50)
+(EXPECT MOVE 3 G1 X60 F100)
+
+(CASE MB-291 G53 needs no F behind G01)
+(CONTROL fanuc-30i)
+%
+O1
+G01
+G53 X50.
+M30
+%
+(EXPECT MOVE 1 G0 X50)

@@ -537,16 +537,14 @@ O1
 #101=#20009
 #102=#6009
 G90 G154 P1 G00 X0.
-G21
 #103=#5021
-#104=#20009
 M30
 %
+(EXPECT MOVE 1 X25.4)
 (EXPECT #100 = 20)
 (EXPECT #101 = 0)
 (EXPECT #102 = 0)
-(EXPECT #103 = 25.4)
-(EXPECT #104 = 1)
+(EXPECT #103 = 1)
 
 (CASE of a Haas setting 9 agrees with the unit where only parameter 0.2 says it)
 (CONTROL haas)

@@ -51,6 +51,8 @@ void note_modal_code(const Control& control, const GCode& code, Codes& codes) {
     codes.starts_cycle = codes.starts_cycle || !in_canned_cycle(control);
   } else if (code.action == GAction::SurfaceSpeed) {
     codes.starts_surface_speed = code.number.whole == kSurfaceSpeed;
+  } else if (code.action == GAction::LengthUnit) {
+    codes.unit = &code;
   }
 }
 
@@ -329,6 +331,8 @@ bool commands_motion(const BlockWords& words, const Profile& profile) {
   return has_axis;
 }
 
+namespace {
+
 /// G05.1 Q1 and Q0, G08 P1 and P0.
 void switch_contour_control(Control& control, const BlockWords& words, const GCode* code) {
   if (code == nullptr) {
@@ -340,6 +344,28 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
     (looks ? control.rapids.looks_ahead : control.rapids.contour_control) = on->number == 1.0;
   }
 }
+
+/// G20 and G21.  Of a Haas they say what its setting 9 has to be: the manual (NGC 2017, G20 and
+/// G21) makes G20 an alarm where it is another one, and to take G21 alike is ours.  Where no sheet
+/// says how the setting is, it is as the first of them says.
+MaybeFailure take_unit(Control& control, const GCode& code) {
+  constexpr int kInches = 20;
+  const auto unit = code.number.whole == kInches ? LengthUnit::Inch : LengthUnit::Millimetre;
+  const bool differs = unit != control.scale.unit;
+  const bool is_setting = control.profile.unit_is_setting;
+  if (differs && is_setting && control.parameters.is_given(ParameterId::InchInput)) {
+    return block_failure(
+        AlarmId::ImproperGCode,
+        fmt::format("{}, and setting 9 (#20009, parameter 0.2) is {}", to_text(code.number),
+                    unit == LengthUnit::Inch ? "mm" : "inch"));
+  }
+  if (differs || is_setting) {
+    control.set_unit(unit);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 [[gnu::hot]] Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
@@ -372,10 +398,10 @@ void switch_contour_control(Control& control, const BlockWords& words, const GCo
     }
   }
   switch_contour_control(control, words, codes.contour_switch);
-  const auto unit =
-      control.modal.group[Group::Unit].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
-  if (unit != control.scale.unit) {
-    control.set_unit(unit);
+  if (codes.unit != nullptr) {
+    if (auto failure = take_unit(control, *codes.unit)) {
+      return *std::move(failure);
+    }
   }
   for (const EvaluatedWord& word : words.all()) {
     if (word.letter != 'G') {

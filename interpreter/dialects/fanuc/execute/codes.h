@@ -11,6 +11,7 @@ struct Codes {
   const GCode* one_shot = nullptr;  ///< of group 0
   const GCode* frame = nullptr;  ///< takes the axis words for mirror, scaling, rotation or limits
   const GCode* tool_length = nullptr;
+  const GCode* unit = nullptr;
   const GCode* work_offset = nullptr;
   bool starts_surface_speed = false;  ///< G96
   bool starts_polar = false;

@@ -148,20 +148,31 @@ void take_tip_feed(const Control& control, path::PathBlock& block) {
   return travel(control, block);
 }
 
-MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
+namespace {
+
+/// The axes to a machine position at rapid, whatever leads them.
+MaybeFailure rapid_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
   path::PathBlock block;
   block.q_M_end = q_M_end;
   block.g = 0;
   block.where = control.block;
   block.ends = control.rapid_end();
   block.rapid_path = way;
-  if (control.modal.group[Group::Motion].whole == 1) {
-    const auto feed = feed_over(control, [&] { return axes_way(control, q_M_end); });
-    if (!feed) {
-      return feed.error();
-    }
-    block = feed_block(control, q_M_end, 1, feed.value());
+  block.of_axes = true;
+  return travel(control, block);
+}
+
+}  // namespace
+
+MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
+  if (control.modal.group[Group::Motion].whole != 1) {
+    return rapid_axes_to(control, q_M_end, way);
   }
+  const auto feed = feed_over(control, [&] { return axes_way(control, q_M_end); });
+  if (!feed) {
+    return feed.error();
+  }
+  path::PathBlock block = feed_block(control, q_M_end, 1, feed.value());
   block.of_axes = true;
   return travel(control, block);
 }
@@ -217,8 +228,8 @@ bool turns_in_plane(const Control& control, const AxisPositions& q_L_end) {
   return std::nullopt;
 }
 
-/// G53: machine coordinates, this block only (MB-291).  Under G91 it is ignored, or its values are
-/// a distance (M700V programming manual, 14.4 (4)).
+/// G53: machine coordinates, this block only (MB-291), at rapid or as G00 or G01 is in force. Under
+/// G91 it is ignored, or its values are a distance (M700V programming manual, 14.4 (4)).
 MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
   if (!block.has_axis_word) {
     return std::nullopt;
@@ -241,7 +252,8 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
       }
     }
   }
-  auto failure = move_axes_to(control, q_M_end, control.machine_rapid_path());
+  const auto move = control.profile.machine_moves_by_mode ? move_axes_to : rapid_axes_to;
+  auto failure = move(control, q_M_end, control.machine_rapid_path());
   control.coordinates.arrived_at_machine(control.port.position());
   return failure;
 }

@@ -50,6 +50,11 @@ Entry entry_of(const Profile& profile) {
         profile.length_change == LengthChange::MovesAxis
             ? "moves the tool's axis by the length; not with parameter 5006.6"
             : "moves nothing"},
+       {"G53", profile.machine_moves_by_mode ? "at rapid, behind G01 at feed"
+                                             : "at rapid, behind G01 too"},
+       {"G20, G21", find_g_code(20.0, profile) == nullptr ? "none: parameter 0.2 says the unit"
+                    : profile.unit_is_setting             ? "check setting 9 (#20009)"
+                                                          : "set the unit"},
        {"G53 under G91", profile.machine_moves_add ? "moves by its values" : "ignored"},
        {"G00", profile.rapids.positioning == machine::RapidPath::Independent
                    ? "each axis at its own rapid rate; straight with parameter 1401.1"

@@ -56,13 +56,13 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::SettingError:
     case GAction::OriginOnTable:
     case GAction::OriginOnTableOff:
+    case GAction::LengthUnit:
       return true;
     case GAction::WorkOffset:
       return code.number.tenth != 0;
     case GAction::Dwell:
       return profile.dwell_is_fence;
     case GAction::Modal:
-      return code.number.whole == 20 || code.number.whole == 21;
     case GAction::NoEffect:
     case GAction::ExactStop:
     case GAction::ContourControl:

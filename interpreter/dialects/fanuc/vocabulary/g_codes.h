@@ -61,6 +61,7 @@ enum class GAction : std::uint8_t {
   HolePattern,  ///< takes the words of its block, and drills with the cycle in force
   CycleOff,
   StrokeCheck,
+  LengthUnit,       ///< a modal code that says what lengths count
   FeedType,         ///< a modal code that says what F means
   SurfaceSpeed,     ///< a modal code that says what S means
   ToolReplacement,  ///< changes the tool and goes to where it begins

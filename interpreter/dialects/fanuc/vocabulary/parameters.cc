@@ -181,6 +181,11 @@ double Parameters::value(int number, double otherwise) const {
   return found != values_.end() ? found->second : otherwise;
 }
 
+bool Parameters::is_given(ParameterId id) const {
+  const ParameterInfo& row = info(id);
+  return row.bit && bits_.contains({row.first, *row.bit});
+}
+
 bool Parameters::bit(int number, int bit) const {
   const auto found = bits_.find({number, bit});
   return found != bits_.end() && found->second;

@@ -71,6 +71,8 @@ class Parameters {
   /// @returns the parameters, or the name that is neither
   static Result<Parameters, std::string> from(const std::map<std::string, double>& entries);
 
+  /// Whether anything has said how a bit is.
+  [[nodiscard]] bool is_given(ParameterId id) const;
   /// A bit; of a row that is none it is off.
   [[nodiscard]] bool is_on(ParameterId id) const { return on_[static_cast<std::size_t>(id)]; }
   /// Of one axis, where that has digits of its own.  @param axis  storage index

@@ -140,6 +140,7 @@ constexpr Profile meldas() {
   // M700V programming manual, 12.2 (4); 14.4 (4) and (5), page 508: G53 cancels no compensation
   profile.machine_move_length = MachineMoveLength::Ignores;
   profile.machine_moves_add = true;
+  profile.machine_moves_by_mode = true;  // 14.4 (7)
   // The same manual, G00: straight or not by a parameter; G28, G29: the other way; G53: as modal
   profile.rapids = {machine::RapidPath::Straight, true};
   profile.modal_layout = meldas_modal_layout();
@@ -166,33 +167,15 @@ constexpr Profile mazatrol_iso() {
   return profile;
 }
 
-constexpr Profile haas() {
-  Profile profile = fanuc_16i();
-  profile.name = "haas";
-  profile.text = "Haas";
-  profile.whole_with_point = "S";  // as programs in use write it
-  profile.cycle_repeats = 'L';
-  profile.pecks_shrink = true;  // mill operator's manual 96-8000, G73 and G83
-  profile.pecks_clear = true;
-  profile.shifts_by_distances = true;  // the same manual, G76
-  profile.bars_origins_in_rotation = false;
-  profile.scale = {1.0, true, false};  // mill operator's manual, G51: P2. and P2 are both twice
+/// What a Haas has otherwise of macros: expressions, calls, variables, printing.
+constexpr void take_haas_macros(Profile& profile) {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;
-  profile.inverse_time = {InverseTime::OfArc::Length, 1000.0, 999999.999, false};
-  profile.feed_counts = {1000.0, 10000.0};  // setting 77 as it comes: F12 is 0.0012 inch/min
   profile.macro_alarm.base = 1000;
   profile.macro_alarm.largest = 999;
-  // Mill operator's manual 96-8000: G28, G43; G53 passes over work offsets for its block only
-  profile.machine_move_length = MachineMoveLength::Ignores;
-  profile.length_change = LengthChange::ShiftsCoordinates;
-  profile.bare_reference_moves_all = true;
   profile.variables = {Basic, OffsetsHaas, ShiftAt5201, HaasTables};
-  profile.own_g_codes = CodeSet::Haas;
-  profile.missing_g_codes = kMissingOfHaas;
   profile.functions = FunctionLevel::Basic;
-  profile.plans_ahead = true;
   profile.joins_conditions = true;
   profile.conditions_are_numbers = true;
   profile.conditions_rule_blocks = true;
@@ -206,24 +189,50 @@ constexpr Profile haas() {
   profile.keeps_all_words = true;
   // Mill operator's manual 96-8000, integer argument passing: D E F H L M S T count ones
   profile.counts_feed_arguments = false;
+  profile.calls = {9, 9, 9};      // alarm 307: nine levels; published suites call macros five deep
+  profile.modal_layout[12] = 14;  // G54 and the like are group 12 there
+  profile.modal_layout[23] = 23;
+  profile.output.fewest_digits = 1;
+  profile.output.without_popen = OutputRule::WithoutPopen::Prints;  // the line is always open
+  profile.output.style.overflow = OutputStyle::Overflow::Widen;
+  profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
+}
+
+constexpr Profile haas() {
+  Profile profile = fanuc_16i();
+  profile.name = "haas";
+  profile.text = "Haas";
+  take_haas_macros(profile);
+  profile.whole_with_point = "S";  // as programs in use write it
+  profile.cycle_repeats = 'L';
+  profile.pecks_shrink = true;  // mill operator's manual 96-8000, G73 and G83
+  profile.pecks_clear = true;
+  profile.shifts_by_distances = true;  // the same manual, G76
+  profile.bars_origins_in_rotation = false;
+  profile.scale = {1.0, true, false};  // mill operator's manual, G51: P2. and P2 are both twice
+  profile.inverse_time = {InverseTime::OfArc::Length, 1000.0, 999999.999, false};
+  profile.feed_counts = {1000.0, 10000.0};  // setting 77 as it comes: F12 is 0.0012 inch/min
+  // Mill operator's manual 96-8000: G28, G43; G53 passes over work offsets for its block only, and
+  // nothing is said of its speed
+  profile.machine_move_length = MachineMoveLength::Ignores;
+  profile.machine_moves_by_mode = true;
+  profile.length_change = LengthChange::ShiftsCoordinates;
+  profile.bare_reference_moves_all = true;
+  profile.own_g_codes = CodeSet::Haas;
+  profile.unit_is_setting = true;
+  profile.missing_g_codes = kMissingOfHaas;
+  profile.plans_ahead = true;
   // Mill operator's manual 96-8000, G10: G10 L12 P5 R.375 sets the diameter of tool 5
   profile.enters_diameters = true;
-  profile.calls = {9, 9, 9};  // alarm 307: nine levels; published suites call macros five deep
   profile.checks_skip_signal = true;
   profile.marks_latched_point = true;
   profile.tool_measurement = ToolMeasurement::ToTravelEnd;
   profile.dwell_point_is_seconds = true;
-  profile.modal_layout[12] = 14;  // G54 and the like are group 12 there
-  profile.modal_layout[23] = 23;
   // Mill operator's manual (NGC) 2017, G154, G10 L20, M109
   profile.additional_systems = 99;
   profile.asks_for_keys = true;
   profile.first_centre_setting = 255;
   profile.single_direction = {ParameterId::SingleDirection, std::nullopt, 35};  // not modal there
-  profile.output.fewest_digits = 1;
-  profile.output.without_popen = OutputRule::WithoutPopen::Prints;  // the line is always open
-  profile.output.style.overflow = OutputStyle::Overflow::Widen;
-  profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
   return profile;
 }
 

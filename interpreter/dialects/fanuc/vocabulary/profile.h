@@ -180,6 +180,7 @@ struct Profile {
   bool has_symbol_logic = false;             ///< && and || between comparisons (MB-350)
   bool has_bare_message = false;             ///< #3006=(TEXT) without a number
   std::span<const GNumber> missing_g_codes;  ///< of the family, those it has not, rising (MB-370)
+  bool unit_is_setting = false;              ///< G20 and G21 check it, and do not change it
   CodeSet own_g_codes = CodeSet::Family;     ///< beside those of the family
   bool joins_conditions = false;        ///< AND, OR, XOR join comparisons without parameter 6006.0
   bool conditions_are_numbers = false;  ///< IF [#1]: what is not 0 is true
@@ -243,6 +244,7 @@ struct Profile {
   MachineMoveLength machine_move_length = MachineMoveLength::Cancels;
   LengthChange length_change = LengthChange::MovesAxis;
   bool machine_moves_add = false;         ///< G53 under G91 moves by its values; else it is ignored
+  bool machine_moves_by_mode = false;     ///< G53 behind G01 goes at feed; else at rapid, always
   bool bare_reference_moves_all = false;  ///< G28 without axes: all of them
   RapidRule rapids;
   /// Whether speed is planned ahead without contour control: acceleration before interpolation.
