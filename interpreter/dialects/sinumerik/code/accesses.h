@@ -40,8 +40,6 @@ class Accesses : private BlockPart {
   std::vector<Argument> system_indices(const SystemName& name, ShortSpan where);
   Expr axis_operand();
   Expr component_operand();
-  /// SUBSTR(string, first, length)
-  Expr part_of(const Expr& string, const Expr& first, const Expr* length);
 
  private:
   void add_index(Element& element, std::int32_t variable, const Expr& index, int dimension);

@@ -137,24 +137,22 @@ void Assignments::assign_component(const Expr& frame) {
              frame.where);
 }
 
-/// The text in front of the character, the new one, the text behind it.
 void Assignments::assign_character(const Expr& target) {
   const Expr string = accesses_.loaded(target);
   const Expr index = operations_.convert(expressions_.expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   expect(Symbol::Assign);
-  const Expr value =
-      operations_.as_text(operations_.convert(expressions_.expression(), Type::Char));
+  const Expr value = operations_.convert(expressions_.expression(), Type::Char);
   if (failed()) {
     return;
   }
-  const Expr begin = operations_.constant(Type::Int, 0.0, string.where);
-  const Expr one = operations_.constant(Type::Int, 1.0, string.where);
-  const Expr before = accesses_.part_of(string, begin, &index);
-  const Expr behind = accesses_.part_of(
-      string, operations_.arithmetic(OpCode::Add, index, one, string.where), nullptr);
-  store(target, operations_.concatenate(operations_.concatenate(before, value, string.where),
-                                        behind, string.where));
+  const Variable& known = program_.variables[static_cast<std::size_t>(target.variable)];
+  Expr changed = string;
+  changed.value = temporary(Type::String);
+  code_.emit(OpCode::MoveText, changed.value, string.value, {}, string.where);
+  code_.emit(OpCode::SetCharacter, changed.value, index.value, value.value, string.where);
+  code_.last().count = static_cast<std::uint16_t>(known.longest);
+  store(target, changed);
 }
 
 void Assignments::check_value(const Expr& target, Operand value, Reach reach) {

@@ -4,11 +4,15 @@
 
 namespace g31::sinumerik {
 
-Expr Accesses::part_of(const Expr& string, const Expr& first, const Expr* length) {
-  std::vector<Argument> list = {argument_of(string), argument_of(first)};
-  if (length != nullptr) {
-    list.push_back(argument_of(*length));
+/// n] behind a string and a bracket: SUBSTR(string, n, 1) as a CHAR.
+Expr Accesses::character_access(const Expr& string) {
+  const Expr index = operations_.convert(expressions_.expression(), Type::Int, AlarmId::IndexType);
+  expect(Symbol::RightBracket);
+  if (failed()) {
+    return {};
   }
+  const Expr one = operations_.constant(Type::Int, 1.0, string.where);
+  const std::vector<Argument> list = {argument_of(string), argument_of(index), argument_of(one)};
   Expr part;
   part.type = Type::String;
   part.where = string.where;
@@ -18,18 +22,7 @@ Expr Accesses::part_of(const Expr& string, const Expr& first, const Expr* length
              string.where);
   code_.last().detail = detail_of(FunctionId::SUBSTR);
   code_.last().count = static_cast<std::uint16_t>(list.size());
-  return part;
-}
-
-/// n] behind a string and a bracket.
-Expr Accesses::character_access(const Expr& string) {
-  const Expr index = operations_.convert(expressions_.expression(), Type::Int, AlarmId::IndexType);
-  expect(Symbol::RightBracket);
-  if (failed()) {
-    return {};
-  }
-  const Expr one = operations_.constant(Type::Int, 1.0, string.where);
-  return operations_.convert(part_of(string, index, &one), Type::Char);
+  return operations_.convert(part, Type::Char);
 }
 
 }  // namespace g31::sinumerik

@@ -128,9 +128,14 @@ Argument Expressions::argument(char kind) {
     case 'm':
       value = operations_.convert(std::move(value), Type::Real, AlarmId::BadArguments);
       break;
+    case 'C':
+      if (is_number(value.type)) {
+        value = operations_.convert(std::move(value), Type::Char, AlarmId::BadArguments);
+      }
+      value = operations_.convert(std::move(value), Type::String, AlarmId::BadArguments);
+      break;
     case 'S':
     case 's':
-    case 'C':
       value = operations_.convert(std::move(value), Type::String, AlarmId::BadArguments);
       break;
     case 'A':

@@ -34,7 +34,14 @@ Expr Operations::inverted(const Token& token, Expr operand) {
   result.value = temporary(result.type);
   const OpCode code = negates ? OpCode::Negate : inverts ? OpCode::Not : OpCode::BitNot;
   code_.emit(code, result.value, operand.value, {}, result.where);
+  if (negates && result.type == Type::Int) {
+    keep_to_32_bits(result);
+  }
   return result;
+}
+
+void Operations::keep_to_32_bits(const Expr& whole) {
+  code_.emit(OpCode::CheckInt, whole.value, whole.value, {}, whole.where);
 }
 
 Expr Operations::combine(int row, Expr left, Expr right) {
@@ -155,11 +162,12 @@ Expr Operations::arithmetic(OpCode code, Expr left, Expr right, ShortSpan where)
   }
   result.value = temporary(result.type);
   code_.emit(code, result.value, left.value, right.value, where);
-  // Two INT can leave the 32 bits only by these three.
+  // Two INT can leave the 32 bits only by these four; what DIV makes of REAL may be larger.
   const bool may_overflow =
-      code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply;
+      code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply ||
+      (code == OpCode::DivideWhole && left.type != Type::Real && right.type != Type::Real);
   if (result.type == Type::Int && may_overflow) {
-    code_.emit(OpCode::CheckInt, result.value, result.value, {}, where);
+    keep_to_32_bits(result);
   }
   return result;
 }

@@ -20,6 +20,8 @@ class Operations : private BlockPart {
   Expr compare(OpCode code, Expr left, Expr right, ShortSpan where);
   Expr concatenate(Expr left, Expr right, ShortSpan where);
   Expr arithmetic(OpCode code, Expr left, Expr right, ShortSpan where);
+  /// Alarm 14051 where an INT that was worked out has left them.
+  void keep_to_32_bits(const Expr& whole);
 
   /// A whole array is an argument and nothing else: its alarm where a value is wanted.
   void expect_value(const Expr& expr);

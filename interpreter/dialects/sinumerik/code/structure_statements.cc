@@ -108,7 +108,8 @@ void StructureStatements::keep_element(Expr& counter) {
   }
 }
 
-/// FOR variable = first TO last: the end value is asked for at each pass.
+/// FOR variable = first TO last: the end value is asked for at each pass.  A REAL counter begins
+/// with a whole number, too (job planning, counting loop: its value is rounded).
 void StructureStatements::for_statement() {
   Expr counter = expressions_.primary();
   const bool counts = !failed() && counter.variable >= 0 &&
@@ -122,7 +123,7 @@ void StructureStatements::for_statement() {
   }
   counter.is_constant = counter.value.bank != Bank::Temporaries;
   if (!failed()) {
-    assignments_.store(counter, expressions_.expression());
+    assignments_.store(counter, operations_.convert(expressions_.expression(), Type::Int));
   }
   if (!failed() && !cursor_.accept_name("TO")) {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
@@ -160,6 +161,9 @@ void StructureStatements::endfor_statement() {
   more.value = temporary(Type::Real);
   code_.emit(OpCode::Add, more.value, counter.value, code_.number_constant(1.0), block());
   more.type = counter.type;
+  if (counter.type == Type::Int) {
+    operations_.keep_to_32_bits(more);
+  }
   assignments_.store(counter, more);
   back_to(*loop);
 }

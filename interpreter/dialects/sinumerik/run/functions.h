@@ -82,6 +82,7 @@ MaybeFailure named_tool(Channel& channel, Operands& at, const Op& op, Arguments 
 MaybeFailure new_tool(Channel& channel, Operands& at, const Op& op, Arguments list);
 MaybeFailure edges_are_unique(Channel& channel, Operands& at, const Op& op, Arguments list);
 MaybeFailure spindle_of_axis(Channel& channel, Operands& at, const Op& op, Arguments list);
+MaybeFailure axis_of_spindle(Channel& channel, Operands& at, const Op& op, Arguments list);
 // run_geometry.cc
 MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list);
 MaybeFailure measured_frame(Channel& channel, Operands& at, const Op& op, Arguments list);

@@ -16,6 +16,8 @@ bool StepMachine::text_step(const Op& op) {
     case TextStep::MoveText:
       text(op.result) = text(op.a);
       return true;
+    case TextStep::SetCharacter:
+      return set_character(op);
     case TextStep::Concatenate: {
       std::string joined = text(op.a) + text(op.b);
       if (joined.size() > kLongestText) {
@@ -50,6 +52,25 @@ bool StepMachine::text_step(const Op& op) {
       return store_text(op);
   }
   contract_violated("other_step() lets only these through", __FILE__, __LINE__);
+}
+
+/// One behind the last is a new last one; further behind, the character 0 that ends the text stays
+/// in front of it, and nothing is seen of it.
+bool StepMachine::set_character(const Op& op) {
+  const double place = rounded(number(op.a));
+  if (!(place >= 0.0 && place < op.count)) {
+    return fault_.keep(AlarmId::IndexOne,
+                       fmt::format("[{:.0f}], and a text of {} characters", place, op.count));
+  }
+  std::string& into = text(op.result);
+  const auto at = static_cast<std::size_t>(place);
+  const auto given = static_cast<char>(static_cast<unsigned char>(number(op.b)));
+  if (at < into.size()) {
+    into[at] = given;
+  } else if (at == into.size()) {
+    into += given;
+  }
+  return true;
 }
 
 bool StepMachine::store_text(const Op& op) {

@@ -128,6 +128,19 @@ MaybeFailure spindle_of_axis(Channel& channel, Operands& at, const Op& op, Argum
   return failure(AlarmId::BadAxisIndex, "AXTOSPI: no axis that a spindle is, MD35000");
 }
 
+/// SPI(spindle)
+MaybeFailure axis_of_spindle(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const double spindle = rounded(at.number(list[0]));
+  const bool can_be = spindle >= 1.0 && spindle <= kMostSpindles;
+  const auto axis =
+      can_be ? channel.axis_of_spindle(static_cast<int>(spindle)) : std::optional<int>();
+  if (!axis) {
+    return failure(AlarmId::BadAxisIndex, "SPI: no axis is this spindle, MD35000");
+  }
+  at.number(op.result) = *axis;
+  return std::nullopt;
+}
+
 /// GETACTT(variable, name)
 MaybeFailure named_tool_in_use(Channel& channel, Operands& at, const Op& op, Arguments list) {
   const double found = tool_in_use(channel, at.text(list[1].value));

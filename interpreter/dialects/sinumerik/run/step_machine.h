@@ -46,6 +46,7 @@ class StepMachine {
   bool store(const VariableView& into, std::size_t element, double value);
 
   // run_texts.cc
+  bool set_character(const Op& op);
   bool store_text(const Op& op);
   bool fill(const Op& op);
   bool repeat_value(const Op& op);
