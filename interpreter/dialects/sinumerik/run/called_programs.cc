@@ -30,11 +30,21 @@ void CalledPrograms::set_call_path(std::string path) {
 
 Result<const CompiledProgram*, Failure> CalledPrograms::called(const CallSite& site,
                                                                const std::string& text) {
+  if (files_seen_ != channel_.files.changes()) {
+    files_seen_ = channel_.files.changes();
+    found_calls_.clear();
+  }
   if (const auto found = found_calls_.find(&site); found != found_calls_.end()) {
     return found->second;
   }
   const std::string& name = site.name.empty() ? text : site.name;
   if (const CompiledProgram* const program = find(name)) {
+    if (is_written(name)) {
+      return failure(AlarmId::NotImplemented,
+                     fmt::format("a call of {}, to which the run has written: what was there "
+                                 "before would run",
+                                 name));
+    }
     if (!site.name.empty()) {
       found_calls_.emplace(&site, program);
     }

@@ -44,8 +44,10 @@ class CalledPrograms {
   CallablePrograms& programs_;
   const CallStack& stack_;
   Channel& channel_;
-  /// What calls by name have found: programs stay, so it counts until CALLPATH.
+  /// What calls by name have found: programs stay, so it counts until CALLPATH, or until a file
+  /// was made or removed, which may have the name of a program.
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
+  std::size_t files_seen_ = 0;  ///< changes of files until then
   /// What EXECSTRING compiled, by program and text.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
   /// The same of files that the run wrote, by name and text.

@@ -42,8 +42,10 @@ class Calls {
   MaybeFailure call_part(const std::string& first, const std::string& last);
   /// EXECSTRING: the text sees the variables of the level; behind it the program goes on.
   MaybeFailure execute_text(const std::string& source);
-  /// FILESIZE: the bytes of a file that the run has; nullopt: there is none.
-  Result<std::optional<std::size_t>, Failure> size_of_file(const std::string& path);
+  /// Whether a path means one of the programs that the run was given, and no file.
+  bool is_given_program(const std::string& path);
+  /// Alarm 12140 where a procedure would look into one.
+  MaybeFailure expect_no_program(const std::string& path, const char* procedure);
   void set_call_path(std::string path) { programs_.set_call_path(std::move(path)); }
 
  private:

@@ -19,6 +19,7 @@ class ProcedureCaller {
   // A procedure takes its arguments, and what it acts on.
   MaybeFailure done(MaybeFailure (*work)(Channel&, Operands&, Arguments), Arguments list);
   MaybeFailure done(MaybeFailure (*work)(Calls&, Operands&, Arguments), Arguments list);
+  MaybeFailure done(MaybeFailure (*work)(Calls&, Channel&, Operands&, Arguments), Arguments list);
   MaybeFailure done(MaybeFailure (*work)(SynchronisedActions&, Operands&, Arguments),
                     Arguments list);
 
@@ -60,11 +61,11 @@ MaybeFailure disable_reading(SynchronisedActions& actions, Operands& at, Argumen
 
 // run_files.cc
 double write_file(Channel& channel, Operands& at, Arguments list);
-double delete_file(Channel& channel, Operands& at, Arguments list);
-double read_file(Channel& channel, Operands& at, Arguments list);
+MaybeFailure delete_file(Calls& calls, Channel& channel, Operands& at, Arguments list);
+MaybeFailure read_file(Calls& calls, Channel& channel, Operands& at, Arguments list);
 double open_external(Channel& channel, Operands& at, Arguments list);
 double write_external(Channel& channel, Operands& at, Arguments list);
-MaybeFailure tell_file_size(Calls& calls, Operands& at, Arguments list);
+MaybeFailure tell_file_size(Calls& calls, Channel& channel, Operands& at, Arguments list);
 double close_external(Channel& channel, Operands& at, Arguments list);
 
 // run_tools.cc

@@ -347,12 +347,14 @@ MaybeFailure Calls::execute_text(const std::string& source) {
   return std::nullopt;
 }
 
-Result<std::optional<std::size_t>, Failure> Calls::size_of_file(const std::string& path) {
-  const std::string* const content = channel_.files.find(file_meant(channel_, path));
-  if (content == nullptr && programs_.find(path) != nullptr) {
-    return failure(AlarmId::NotImplemented, "FILESIZE of a program: " + path);
-  }
-  return content != nullptr ? std::optional(content->size()) : std::nullopt;
+bool Calls::is_given_program(const std::string& path) {
+  return !programs_.is_written(path) && programs_.find(path) != nullptr;
+}
+
+MaybeFailure Calls::expect_no_program(const std::string& path, const char* procedure) {
+  return is_given_program(path)
+             ? failure(AlarmId::NotImplemented, fmt::format("{} of a program: {}", procedure, path))
+             : MaybeFailure();
 }
 
 MaybeFailure Calls::modal_call() {

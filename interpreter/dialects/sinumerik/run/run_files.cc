@@ -25,6 +25,7 @@ namespace file_error {
 constexpr double kNone = 0.0;
 constexpr double kBadPath = 1.0;
 constexpr double kNoFile = 3.0;
+constexpr double kNoAccess = 13.0;
 constexpr double kNoLine = 21.0;
 constexpr double kArrayTooSmall = 22.0;
 constexpr double kTooManyLines = 23.0;
@@ -100,45 +101,8 @@ void spend_on_reading(Channel& channel, std::ptrdiff_t bytes) {
   }
 }
 
-}  // namespace
-
-std::string file_name(std::string_view path) {
-  if (path.find("..") != std::string_view::npos || path.ends_with('/')) {
-    return {};
-  }
-  const std::size_t slash = path.find_last_of("/\\");
-  std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
-  return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
-}
-
-std::string file_meant(const Channel& channel, std::string_view path) {
-  const std::string name = file_name(path);
-  return name.empty() ? name : channel.files.kept_name(name);
-}
-
-namespace procedure {
-
-/// WRITE(error, file, line)
-double write_file(Channel& channel, Operands& at, Arguments list) {
-  const std::string name = file_meant(channel, at.text(list[1].value));
-  const std::string& line = at.text(list[2].value);
-  if (name.empty() || line.size() > kLongestLine) {
-    return file_error::kBadPath;
-  }
-  append_line(channel, name, line);
-  return file_error::kNone;
-}
-
-double delete_file(Channel& channel, Operands& at, Arguments list) {
-  const std::string name = file_meant(channel, at.text(list[1].value));
-  if (name.empty()) {
-    return file_error::kBadPath;
-  }
-  return remove_file(channel, name) ? file_error::kNone : file_error::kNoFile;
-}
-
-/// READ(error, file, line, count, texts)
-double read_file(Channel& channel, Operands& at, Arguments list) {
+/// What READ says behind its work.
+double read_lines(Channel& channel, Operands& at, Arguments list) {
   const std::string name = file_meant(channel, at.text(list[1].value));
   if (name.empty()) {
     return file_error::kBadPath;
@@ -174,22 +138,67 @@ double read_file(Channel& channel, Operands& at, Arguments list) {
   return file_error::kNone;
 }
 
+}  // namespace
+
+std::string file_name(std::string_view path) {
+  if (path.find("..") != std::string_view::npos || path.ends_with('/')) {
+    return {};
+  }
+  const std::size_t slash = path.find_last_of("/\\");
+  std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
+  return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
+}
+
+std::string file_meant(const Channel& channel, std::string_view path) {
+  const std::string name = file_name(path);
+  return name.empty() ? name : channel.files.kept_name(name);
+}
+
+namespace procedure {
+
+/// WRITE(error, file, line)
+double write_file(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = file_meant(channel, at.text(list[1].value));
+  const std::string& line = at.text(list[2].value);
+  if (name.empty() || line.size() > kLongestLine) {
+    return file_error::kBadPath;
+  }
+  append_line(channel, name, line);
+  return file_error::kNone;
+}
+
+/// DELETE(error, file)
+MaybeFailure delete_file(Calls& calls, Channel& channel, Operands& at, Arguments list) {
+  const std::string& path = at.text(list[1].value);
+  const std::string name = file_meant(channel, path);
+  return at.assign(list[0], name.empty()                   ? file_error::kBadPath
+                            : remove_file(channel, name)   ? file_error::kNone
+                            : calls.is_given_program(path) ? file_error::kNoAccess
+                                                           : file_error::kNoFile);
+}
+
+/// READ(error, file, line, count, texts)
+MaybeFailure read_file(Calls& calls, Channel& channel, Operands& at, Arguments list) {
+  MaybeFailure wrong = calls.expect_no_program(at.text(list[1].value), "READ");
+  return wrong ? wrong : at.assign(list[0], read_lines(channel, at, list));
+}
+
 /// FILESIZE(error, file, size)
-MaybeFailure tell_file_size(Calls& calls, Operands& at, Arguments list) {
+MaybeFailure tell_file_size(Calls& calls, Channel& channel, Operands& at, Arguments list) {
   const std::string path = at.text(list[1].value);
   if (file_name(path).empty()) {
     return at.assign(list[0], file_error::kBadPath);
   }
-  const auto size = calls.size_of_file(path);
-  if (!size) {
-    return size.error();
+  if (MaybeFailure wrong = calls.expect_no_program(path, "FILESIZE")) {
+    return wrong;
   }
-  if (size.value()) {
-    if (MaybeFailure wrong = at.assign(list[2], static_cast<double>(*size.value()))) {
+  const std::string* const content = channel.files.find(file_meant(channel, path));
+  if (content != nullptr) {
+    if (MaybeFailure wrong = at.assign(list[2], static_cast<double>(content->size()))) {
       return wrong;
     }
   }
-  return at.assign(list[0], size.value() ? file_error::kNone : file_error::kNoFile);
+  return at.assign(list[0], content != nullptr ? file_error::kNone : file_error::kNoFile);
 }
 
 /// EXTOPEN(error, file, mode, use, "APP" or "OVR")

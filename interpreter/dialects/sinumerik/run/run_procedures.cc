@@ -56,6 +56,11 @@ MaybeFailure ProcedureCaller::done(MaybeFailure (*work)(Calls&, Operands&, Argum
   return work(calls_, operands_, list);
 }
 
+MaybeFailure ProcedureCaller::done(MaybeFailure (*work)(Calls&, Channel&, Operands&, Arguments),
+                                   Arguments list) {
+  return work(calls_, channel_, operands_, list);
+}
+
 MaybeFailure ProcedureCaller::done(MaybeFailure (*work)(SynchronisedActions&, Operands&, Arguments),
                                    Arguments list) {
   return work(actions_, operands_, list);

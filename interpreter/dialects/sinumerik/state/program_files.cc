@@ -26,13 +26,14 @@ const std::string* ProgramFiles::find(const std::string& name) const {
 std::string& ProgramFiles::content(const std::string& name) {
   const auto [file, is_new] = files_.try_emplace(name);
   if (is_new) {
+    ++changes_;
     kept_names_.emplace(file_name_on_control(name), name);
   }
   return file->second;
 }
 
 void ProgramFiles::remove(const std::string& name) {
-  files_.erase(name);
+  changes_ += files_.erase(name);
   const auto [first, last] = kept_names_.equal_range(file_name_on_control(name));
   for (auto kept = first; kept != last; ++kept) {
     if (kept->second == name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 
@@ -28,11 +29,15 @@ class ProgramFiles {
   std::string& content(const std::string& name);
   void remove(const std::string& name);
 
+  /// How often a file was made or removed.
+  [[nodiscard]] std::size_t changes() const { return changes_; }
+
   bool operator==(const ProgramFiles& other) const { return files_ == other.files_; }
 
  private:
   ByName files_;
   std::multimap<std::string, std::string> kept_names_;  ///< by the name on the control
+  std::size_t changes_ = 0;
 };
 
 }  // namespace g31::sinumerik
