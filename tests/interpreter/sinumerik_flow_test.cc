@@ -230,12 +230,13 @@ TEST(SinumerikFlow, VariablesAreReadAndWritten) {
 TEST(SinumerikFlow, SynchronisedActionsReadAndWriteAtTheirOwnBlock) {
   const PicturedText text(
       "DEF REAL LIMIT=2\nID=1 WHENEVER ($A_IN[1]==1) AND (R3<LIMIT) DO $AC_MARKER[1]=R4 R5=LIMIT\n"
-      "WHEN R6==1 DO R7=NOBODYS\nDO R8=R9\nM30\n");
+      "WHEN R6==1 DO R7=NOBODYS\nDO R8=R9\nDO R10=R[R11+1]\nM30\n");
   // The third block is wrong: what was tried of it is no action.
   EXPECT_EQ(testing::drawn_accesses(text.flow),
             "0: wLIMIT\n"
             "1: r$A_IN rR[3] rLIMIT rR[4] w$AC_MARKER[1] rLIMIT wR[5]\n"
-            "3: rR[9] wR[8]\n");
+            "3: rR[9] wR[8]\n"
+            "4: rR[11] rR rR[11] rR wR[10]\n");
 }
 
 TEST(SinumerikFlow, WordsOfABlockCommandItsMove) {

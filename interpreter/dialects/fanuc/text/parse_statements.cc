@@ -278,8 +278,9 @@ int Parser::loop_number() {
   if (!number || number->has_point || number->value < 1.0 || number->value > kLargestLoopNumber) {
     expressions_.fail_at(AlarmId::IllegalLoopNumber,
                          {begin, std::max(begin + 1, scanner_.position())},
-                         fmt::format("a loop number is an integer from 1 to {}",
-                                     static_cast<int>(kLargestLoopNumber)));
+                         number ? fmt::format("a loop number is an integer from 1 to {}",
+                                              static_cast<int>(kLargestLoopNumber))
+                                : "a loop number is written as an integer");
     return 0;
   }
   return static_cast<int>(number->value);

@@ -42,16 +42,27 @@ bool acts_on_motion(const Token& action) {
   return action.is_name("DELDTG") || action.is_name("POS") || action.is_name("$AC_OVR");
 }
 
-/// Keeps the steps from `first` on as those of the action that will stand there.
-void keep_steps(CompiledProgram& program, std::size_t first) {
+/// A CHAR has no form of its own, and is read when the action is judged.
+bool has_written_form(Type type) {
+  return type == Type::Int || type == Type::Real || type == Type::Bool || type == Type::Axis ||
+         type == Type::String;
+}
+
+/// Those from `first` on, of which the action will be made that stands in their place.
+ActionSteps steps_from(const CompiledProgram& program, std::size_t first) {
   const auto begin = static_cast<std::ptrdiff_t>(first);
-  const auto step = static_cast<std::int32_t>(first);
-  while (!program.actions.empty() && program.actions.back().step >= step) {
+  return {static_cast<std::int32_t>(first),
+          {program.ops.begin() + begin, program.ops.end()},
+          {program.spans.begin() + begin, program.spans.end()}};
+}
+
+/// @param step  SynchronisedAction
+void keep_steps(CompiledProgram& program, ActionSteps steps, std::int32_t step) {
+  while (!program.actions.empty() && program.actions.back().step >= steps.step) {
     program.actions.pop_back();  // of a block that was given up
   }
-  program.actions.push_back({step,
-                             {program.ops.begin() + begin, program.ops.end()},
-                             {program.spans.begin() + begin, program.spans.end()}});
+  steps.step = step;
+  program.actions.push_back(std::move(steps));
 }
 
 }  // namespace
@@ -94,8 +105,8 @@ bool ActionStatements::accept_unit() {
 }
 
 /// What stands behind DO, to the end of the block.
-ActionStatements::ActionText ActionStatements::action_list(ActionKind kind, bool is_timed) {
-  ActionText list;
+ActionStatements::Actions ActionStatements::action_list(ActionKind kind, bool is_timed) {
+  Actions list;
   bool has_unit = false;
   while (!failed() && cursor_.peek().kind != TokenKind::End) {
     has_unit = accept_unit() || has_unit;
@@ -126,7 +137,7 @@ ActionStatements::ActionText ActionStatements::action_list(ActionKind kind, bool
       break;
     }
     judge_action(from, kind, is_timed);
-    list.text += text_of(cursor_.span_from(from)) + " ";
+    list.items.push_back({from, cursor_.place()});
   }
   return list;
 }
@@ -147,6 +158,89 @@ void ActionStatements::judge_action(std::size_t from, ActionKind kind, bool is_t
            std::string(token.text) + " at a time within a block");
     }
   }
+}
+
+/// Whether the value of a variable counts that it has when the control comes to the block, whatever
+/// becomes of it: R, variables of programs and data that the preparation of blocks knows.  $R,
+/// $AC_, $AA_ and what $$ stands before count when the action is judged.  Source: job planning 828D
+/// 07/2010, synchronised actions, 10.3.1; 840D 03/2006, 10.3.8; for variables of programs by the
+/// same rule.
+bool ActionStatements::is_read_at_once(std::size_t place) {
+  const Token& token = cursor_.at(place);
+  const std::uint32_t at = token.where.begin;
+  if (at > 0 && text_of({at - 1, at}) == "$") {
+    return false;
+  }
+  if (token.is_letter('R')) {
+    const Token& behind = cursor_.at(place + 1);
+    return behind.kind == TokenKind::Integer || behind.is(Symbol::LeftBracket);
+  }
+  constexpr auto kPrepared =
+      std::to_array<std::string_view>({"$P_", "$M", "$SN", "$SC", "$SA", "$TC_", "$O"});
+  const auto is_prepared = [&](std::string_view begin) { return token.text.starts_with(begin); };
+  return token.kind == TokenKind::Name &&
+         (std::ranges::any_of(kPrepared, is_prepared) ||
+          (!token.text.starts_with('$') && variables_.find(token.text) >= 0));
+}
+
+/// What is text already.
+void ActionStatements::add_text(std::vector<Argument>& pieces, std::string text) {
+  Argument piece;
+  piece.form = Argument::Form::Whole;
+  piece.type = Type::String;
+  piece.value = code_.text_constant(std::move(text));
+  pieces.push_back(piece);
+}
+
+/// The text of tokens, with values in the place of what is read at once.
+void ActionStatements::add_pieces(std::vector<Argument>& pieces, std::size_t from, std::size_t to) {
+  const std::size_t here = cursor_.place();
+  std::size_t written = cursor_.at(from).where.begin;
+  const auto write_to = [&](std::size_t end) {
+    if (written < end) {
+      add_text(pieces,
+               text_of({static_cast<std::uint32_t>(written), static_cast<std::uint32_t>(end)}));
+    }
+  };
+  for (std::size_t i = from; i < to;) {
+    if (i > from && cursor_.at(i).where.begin < cursor_.at(i - 1).where.end) {
+      fail(AlarmId::NotImplemented, cursor_.at(i).where,
+           text_of(cursor_.at(i).where) + ", a macro, in a synchronised action");
+      break;
+    }
+    if (!is_read_at_once(i)) {
+      ++i;
+      continue;
+    }
+    cursor_.go_back_to(i);
+    const Expr value = expressions_.primary();
+    const std::size_t behind = std::max(cursor_.place(), i + 1);
+    if (has_written_form(value.type) && !value.is_whole_array) {
+      write_to(cursor_.at(i).where.begin);
+      pieces.push_back(argument_of(value));
+      pieces.back().form = Argument::Form::Value;
+      written = cursor_.at(behind - 1).where.end;
+    }
+    i = behind;
+  }
+  write_to(cursor_.at(to - 1).where.end);
+  cursor_.go_back_to(here);
+}
+
+/// What an item sets is no value, but the index of it is.
+void ActionStatements::add_item(std::vector<Argument>& pieces, Actions::Range item) {
+  bool sets = false;
+  int depth = 0;
+  for (std::size_t i = item.from; i < item.to; ++i) {
+    depth += cursor_.at(i).is(Symbol::LeftBracket) || cursor_.at(i).is(Symbol::LeftParen) ? 1 : 0;
+    depth -= cursor_.at(i).is(Symbol::RightBracket) || cursor_.at(i).is(Symbol::RightParen) ? 1 : 0;
+    sets = sets || (depth == 0 && cursor_.at(i).is(Symbol::Assign));
+  }
+  if (sets) {
+    add_text(pieces, text_of(cursor_.at(item.from).where));
+  }
+  add_pieces(pieces, item.from + (sets ? 1U : 0U), item.to);
+  add_text(pieces, " ");
 }
 
 /// ID=n and IDS=n: the action holds beyond the next block.
@@ -223,43 +317,49 @@ void ActionStatements::synchronised_action(std::string_view word, ActionScope sc
   }
   const std::size_t first = program_.ops.size();
   const bool has_condition = row->kind != ActionKind::Always;
-  std::string condition = "TRUE";
+  Actions::Range condition = {};
   bool is_timed = false;
   if (has_condition) {
     (void)accept_unit();
-    const std::size_t from = cursor_.place();
+    condition.from = cursor_.place();
     (void)operations_.boolean(expressions_.expression());
     if (failed()) {
       return;
     }
-    condition = text_of(cursor_.span_from(from));
-    is_timed = judge_condition(from);
+    condition.to = cursor_.place();
+    is_timed = judge_condition(condition.from);
     if (!cursor_.accept_name("DO")) {
       fail(AlarmId::SyntaxInText, text_of(cursor_.peek().where));
     }
   }
-  const ActionText actions = action_list(row->kind, is_timed);
+  const Actions actions = action_list(row->kind, is_timed);
   if (failed()) {
     return;
   }
   // The steps were only tried: what they do is done when the action is.
-  keep_steps(program_, first);
+  ActionSteps steps = steps_from(program_, first);
   code_.cut(first);
   nc_.take_back_words();
-  const auto text_argument = [&](std::string text) {
-    Argument argument;
-    argument.form = Argument::Form::Value;
-    argument.type = Type::String;
-    argument.value = code_.text_constant(std::move(text));
-    return argument;
-  };
-  const std::uint32_t list =
-      keep_arguments({text_argument(std::move(condition)), text_argument(actions.text)});
+  std::vector<Argument> pieces;
+  if (has_condition) {
+    add_pieces(pieces, condition.from, condition.to);
+  } else {
+    add_text(pieces, "TRUE");
+  }
+  pieces.emplace_back();  // between both texts
+  for (const Actions::Range& item : actions.items) {
+    add_item(pieces, item);
+  }
+  if (failed()) {
+    return;
+  }
+  keep_steps(program_, std::move(steps), code_.here());
+  const std::uint32_t list = keep_arguments(pieces);
   code_.emit(OpCode::SynchronisedAction, {Bank::Constants, actions.deletes_distance ? 1 : 0},
              number.value, {Bank::Constants, static_cast<std::int32_t>(list)}, block());
   code_.last().detail = static_cast<std::uint8_t>(static_cast<int>(row->kind) * kActionScopes +
                                                   static_cast<int>(scope));
-  code_.last().count = 2;
+  code_.last().count = static_cast<std::uint16_t>(pieces.size());
 }
 
 }  // namespace g31::sinumerik

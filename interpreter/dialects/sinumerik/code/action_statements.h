@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "interpreter/dialects/sinumerik/code/expressions.h"
 #include "interpreter/dialects/sinumerik/code/nc_block_writer.h"
@@ -41,15 +42,23 @@ class ActionStatements : private BlockPart {
   void interrupt_statement();
 
  private:
-  struct ActionText {
-    std::string text;  ///< a block
+  struct Actions {
+    struct Range {
+      std::size_t from;
+      std::size_t to;
+    };
+    std::vector<Range> items;  ///< by their tokens
     bool deletes_distance = false;
   };
   void synchronised_action(std::string_view word, ActionScope scope, const Expr& number);
   bool judge_condition(std::size_t from);
   bool may_act(const Token& action);
   bool accept_unit();
-  ActionText action_list(ActionKind kind, bool is_timed);
+  Actions action_list(ActionKind kind, bool is_timed);
+  [[nodiscard]] bool is_read_at_once(std::size_t place);
+  void add_text(std::vector<Argument>& pieces, std::string text);
+  void add_pieces(std::vector<Argument>& pieces, std::size_t from, std::size_t to);
+  void add_item(std::vector<Argument>& pieces, Actions::Range item);
   void judge_action(std::size_t from, ActionKind kind, bool is_timed);
 
   KnownVariables& variables_;

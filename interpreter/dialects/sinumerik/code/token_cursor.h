@@ -17,6 +17,8 @@ class TokenCursor {
   std::vector<Token>& tokens() { return tokens_; }
   /// Before the first token.
   void rewind() { at_ = 0; }
+  /// Before a token that place() told.
+  void go_back_to(std::size_t place) { at_ = place; }
 
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
     return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];

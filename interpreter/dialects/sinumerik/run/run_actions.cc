@@ -7,12 +7,31 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/run/synchronised_actions.h"
+#include "interpreter/dialects/sinumerik/text/text_format.h"
 
 namespace g31::sinumerik {
 
+/// The condition and the actions, with the values that variables have now.
+std::pair<std::string, std::string> SynchronisedActions::texts_of(const Op& op) const {
+  std::string condition;
+  std::string actions;
+  std::string* into = &condition;
+  for (const Argument& piece : operands_.arguments_of(op)) {
+    if (piece.form == Argument::Form::Omitted) {
+      into = &actions;
+    } else if (piece.form == Argument::Form::Whole) {
+      *into += operands_.text(piece.value);
+    } else {
+      *into += piece.type == Type::String ? written_constant(operands_.text(piece.value))
+                                          : written_constant(piece.type, operands_.number(piece));
+    }
+  }
+  return {std::move(condition), std::move(actions)};
+}
+
 MaybeFailure SynchronisedActions::take(const Op& op) {
   constexpr std::size_t kMostTexts = 10000;
-  const Arguments list = operands_.arguments_of(op);
+  const auto [condition, actions] = texts_of(op);
   Action action;
   action.kind = static_cast<ActionKind>(op.detail / kActionScopes);
   action.scope = static_cast<ActionScope>(op.detail % kActionScopes);
@@ -23,11 +42,10 @@ MaybeFailure SynchronisedActions::take(const Op& op) {
   if (codes_.size() >= kMostTexts) {
     return failure(AlarmId::TooComplex, "too many different synchronised actions");
   }
-  Code& code = codes_[{action.home, operands_.text(list[0].value), operands_.text(list[1].value)}];
+  Code& code = codes_[{action.home, condition, actions}];
   if (code.condition == nullptr) {
-    code.condition = programs_.expression(operands_.text(list[0].value), *action.home);
-    code.actions =
-        programs_.snippet(operands_.text(list[1].value), *action.home, "synchronised action");
+    code.condition = programs_.expression(condition, *action.home);
+    code.actions = programs_.snippet(actions, *action.home, "synchronised action");
   }
   for (const CompiledProgram* const part : {code.condition, code.actions}) {
     if (MaybeFailure missing = stack_.missing_of_main(*part)) {

@@ -68,6 +68,7 @@ class SynchronisedActions {
     bool is_through = false;  ///< WHEN that has acted
     bool is_locked = false;
   };
+  [[nodiscard]] std::pair<std::string, std::string> texts_of(const Op& op) const;
   MaybeFailure act();
   MaybeFailure act_on(Action& action);
   MaybeFailure wait_to_read();

@@ -180,6 +180,31 @@ std::string shown(Type type, double value) {
   return {};
 }
 
+std::string written_constant(Type type, double number) {
+  if (type == Type::Bool) {
+    return number != 0.0 ? "TRUE" : "FALSE";
+  }
+  if (type == Type::Axis) {
+    return number < 0.0 ? "NO_AXIS" : shown(type, number);
+  }
+  std::string digits = fmt::format("{:.0f}", number);
+  if (type == Type::Real) {
+    digits = with_exponent(fmt::format("{}", number));
+    digits += digits.find_first_of(".E") == std::string::npos ? ".0" : "";  // else it is an INT
+  }
+  return number < 0.0 ? "(" + digits + ")" : digits;
+}
+
+std::string written_constant(std::string_view text) {
+  std::string written = "\"";
+  for (const char c : text) {
+    const bool is_plain = c != '"' && c != '\'' && static_cast<unsigned char>(c) >= ' ';
+    written +=
+        is_plain ? std::string(1, c) : fmt::format("'H{:02X}'", static_cast<unsigned char>(c));
+  }
+  return written + "\"";
+}
+
 Result<std::string, AlarmId> with_characters(std::string_view written) {
   constexpr std::string_view kQuotes = "'''";
   if (written.find('\'') == std::string_view::npos) {

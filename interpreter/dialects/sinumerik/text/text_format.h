@@ -15,6 +15,11 @@ namespace g31::sinumerik {
 /// 0 or 1, CHAR as its character, AXIS as its name.
 std::string shown(Type type, double number);
 
+/// An INT, REAL, BOOL or AXIS as a program writes it, of its type and with all its digits: (-1.5).
+std::string written_constant(Type type, double number);
+/// The same of a text.
+std::string written_constant(std::string_view text);
+
 /// Arithmetic knows a negative zero; the control shows 0.
 constexpr double without_sign_of_zero(double number) {
   return number + 0.0;
