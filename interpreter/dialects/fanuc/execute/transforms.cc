@@ -54,6 +54,24 @@ Result<Point, Failure> scale_factors(Control& control, const NcBlock& block) {
   return factors;
 }
 
+/// The centre of a stage in the coordinates that the stage acts on: the named axes go through the
+/// stages before it, as any point of the program does, and of the others it is where the tool is.
+/// The 30i operator's manual B-63944EN-2 takes the centre of G68 through G51 so (page 211), and
+/// mirror, scaling and rotation act in this order (so also SINUMERIK 802D sl ISO Milling, 3-65); of
+/// the centre of G51 under a mirror they say nothing.
+/// @param q_present  where the tool is, in those coordinates
+AxisPositions stage_centre(const Control& control, const NcBlock& block,
+                           const WorkTransform& before, const AxisPositions& q_present) {
+  const AxisPositions q_named = before.apply(named_point(control, block));
+  AxisPositions q_centre = q_present;
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
+    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+      q_centre[axis] = q_named[axis];
+    }
+  }
+  return q_centre;
+}
+
 }  // namespace
 
 /// G51.1: the named axes are mirrored at these coordinates (MB-300).
@@ -85,12 +103,16 @@ MaybeFailure execute_mirror_off(Control& control, const NcBlock& block) {
 
 /// G51: enlarges about X Y Z, by default the present point, by P or by I J K (MB-299).  The point
 /// is absolute under G91, too, as that of G68 (FANUC 30i operator's manual B-63944EN, M700V 13.21).
+/// The mirror takes the centre along.
 MaybeFailure execute_scaling(Control& control, const NcBlock& block) {
   const auto factors = scale_factors(control, block);
   if (!factors) {
     return factors.error();
   }
-  control.transforms.scaling = Scaling{linear_axes(named_point(control, block)), factors.value()};
+  const TransformStages& stages = control.transforms;
+  const AxisPositions q_present = stages.before_rotation().apply(control.coordinates.programmed());
+  const AxisPositions q_centre = stage_centre(control, block, stages.before_scaling(), q_present);
+  control.transforms.scaling = Scaling{linear_axes(q_centre), factors.value()};
   apply(control);
   return std::nullopt;
 }
@@ -106,12 +128,8 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
   const Plane plane = control.modal.plane();
   const Coordinates& coordinates = control.coordinates;
   const WorkTransform before = control.transforms.before_rotation();
-  const AxisPositions q_W_named = before.apply(named_point(control, block));
-  const AxisPositions q_W_present = coordinates.transform().apply(coordinates.programmed());
-  const auto centre_along = [&](int axis) {
-    const bool named = block.words.has(kAxisLetters[static_cast<std::size_t>(axis)]);
-    return (named ? q_W_named : q_W_present)[axis];
-  };
+  const AxisPositions q_W_centre =
+      stage_centre(control, block, before, coordinates.transform().apply(coordinates.programmed()));
   const EvaluatedWord* const r = block.words.find('R');
   double angle_deg = r != nullptr ? control.scale.angle_deg(*r)
                                   : control.parameters.get(ParameterId::UsualRotation);
@@ -124,7 +142,7 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
     angle_deg += control.transforms.rotation->angle_deg;
   }
   control.transforms.rotation = Rotation{
-      plane, Eigen::Vector2d(centre_along(plane.first), centre_along(plane.second)), angle_deg};
+      plane, Eigen::Vector2d(q_W_centre[plane.first], q_W_centre[plane.second]), angle_deg};
   apply(control);
   return std::nullopt;
 }

@@ -14,13 +14,13 @@ WorkTransform WorkTransform::mirror(int axis, double at) {
   return map;
 }
 
-WorkTransform WorkTransform::scaling(const Point& p_L_centre, const Point& factors) {
+WorkTransform WorkTransform::scaling(const Point& centre, const Point& factors) {
   WorkTransform map;
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     G31_EXPECTS(factors[axis] != 0.0);
     map.linear_(axis, axis) = factors[axis];
     map.inverse_(axis, axis) = 1.0 / factors[axis];
-    map.offset_[axis] = p_L_centre[axis] * (1.0 - factors[axis]);
+    map.offset_[axis] = centre[axis] * (1.0 - factors[axis]);
   }
   map.judge_identity();
   return map;
@@ -61,14 +61,19 @@ void WorkTransform::judge_identity() {
   is_identity_ = linear_ == Matrix::Identity() && offset_ == AxisPositions::Zero();
 }
 
-WorkTransform TransformStages::before_rotation() const {
+WorkTransform TransformStages::before_scaling() const {
   WorkTransform map;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (mirrored_at[axis]) {
       map = map.then(WorkTransform::mirror(static_cast<int>(axis), *mirrored_at[axis]));
     }
   }
-  return scaling ? map.then(WorkTransform::scaling(scaling->p_L_centre, scaling->factors)) : map;
+  return map;
+}
+
+WorkTransform TransformStages::before_rotation() const {
+  const WorkTransform map = before_scaling();
+  return scaling ? map.then(WorkTransform::scaling(scaling->centre, scaling->factors)) : map;
 }
 
 WorkTransform TransformStages::all() const {

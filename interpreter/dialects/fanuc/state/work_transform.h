@@ -24,7 +24,7 @@ class WorkTransform {
   /// One axis mirrored at a coordinate.
   static WorkTransform mirror(int axis, double at);
   /// X Y Z enlarged about a centre; a factor below 0 mirrors too.  @param factors  none is 0
-  static WorkTransform scaling(const Point& p_L_centre, const Point& factors);
+  static WorkTransform scaling(const Point& centre, const Point& factors);
   /// The axes of a plane turned counterclockwise about a centre.
   static WorkTransform rotation(const Plane& plane, const Eigen::Vector2d& centre,
                                 double angle_deg);
@@ -62,7 +62,7 @@ class WorkTransform {
 
 /// G51 in force.
 struct Scaling {
-  Point p_L_centre = Point::Zero();
+  Point centre = Point::Zero();  ///< mm, behind the mirror
   Point factors = Point::Ones();
 
   bool operator==(const Scaling&) const = default;
@@ -89,6 +89,8 @@ struct TransformStages {
     return rotation && rotation->plane.across != plane.across;
   }
 
+  /// The mirror: what the centre of scaling goes through as well.
+  [[nodiscard]] WorkTransform before_scaling() const;
   /// Mirror and scaling: what the centre of a rotation goes through as well.
   [[nodiscard]] WorkTransform before_rotation() const;
   [[nodiscard]] WorkTransform all() const;

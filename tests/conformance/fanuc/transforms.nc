@@ -1,0 +1,161 @@
+(G51.1, G51 and G68 together: which goes through which, and what their centres and angles are.)
+(SOURCE FANUC 30i operator's manual B-63944EN, scaling, mirror image and coordinate rotation; expected places are closed forms)
+
+(CASE G51 without a centre under a mirror leaves the tool where its block's numbers are)
+%
+O1
+G90 G0 X0 Y0
+G51.1 X0
+X10.
+#100=#5021
+G51 P2000
+#101=#5001
+X10.
+#102=#5021
+X20.
+#103=#5021
+X0
+#104=#5021
+G50
+#105=#5001
+M30
+%
+(EXPECT #100 = -10)
+(EXPECT #101 = 10)
+(EXPECT #102 = -10)
+(EXPECT #103 = -30)
+(EXPECT #104 = 10)
+(EXPECT #105 = -10)
+
+(CASE the mirror takes the centre of G51 along)
+%
+O1
+G90 G0 X0 Y0
+G51.1 X4. Y1.
+G51 X10. Y5. P2000
+X10. Y5.
+#100=#5021
+#101=#5022
+X12. Y6.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = -2)
+(EXPECT #101 = -3)
+(EXPECT #102 = -6)
+(EXPECT #103 = -5)
+
+(CASE of the axes that G51 does not name the centre is where the tool is)
+%
+O1
+G90 G0 X0 Y0
+G51.1 X0 Y0
+X10. Y4.
+G51 X3. P3000
+X3. Y4.
+#100=#5021
+#101=#5022
+X4. Y6.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = -3)
+(EXPECT #101 = -4)
+(EXPECT #102 = -6)
+(EXPECT #103 = -10)
+
+(CASE mirror, scaling and rotation about one point: it stays, and the plane turns the other way)
+%
+O1
+G90 G0 X0 Y0
+G51.1 X0
+G51 X10. Y0 P2000
+G68 X10. Y0 R90.
+X10. Y0
+#100=#5021
+#101=#5022
+X20.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = -10)
+(EXPECT #101 = 0 WITHIN 0.000000001)
+(EXPECT #102 = -10 WITHIN 0.000000001)
+(EXPECT #103 = 20)
+
+(CASE G51 in G51 without a centre: it is where the tool is, not the number that led there)
+%
+O1
+G90 G0 X0 Y0
+G51 X0 Y0 P2000
+X10.
+#100=#5021
+G51 P3000
+#101=#5001
+X20.
+#102=#5021
+X10.
+#103=#5021
+M30
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = 20)
+(EXPECT #102 = 20)
+(EXPECT #103 = -10)
+
+(CASE G51 without a centre while G68 turns the plane)
+%
+O1
+G90 G0 X0 Y0
+G68 X0 Y0 R90.
+X10. Y0
+G51 P2000
+X10. Y0
+#100=#5021
+#101=#5022
+X15.
+#102=#5022
+M30
+%
+(EXPECT #100 = 0 WITHIN 0.000000001)
+(EXPECT #101 = 10)
+(EXPECT #102 = 20)
+
+(CASE G101 of a Haas takes the centre of G51 along, too)
+(CONTROL haas)
+%
+O1
+G90 G0 X0 Y0
+G101 X0
+X10.
+G51 P2.
+X10.
+#100=#5021
+G50
+G51 X10. Y0 P2.
+X20. Y0
+#101=#5021
+M30
+%
+(EXPECT #100 = -10)
+(EXPECT #101 = -30)
+
+(CASE and so does G51.1 of MELDAS)
+(CONTROL meldas)
+%
+O1
+G90 G0 X0 Y0
+G51.1 X0
+X10.
+G51 P2.
+X10.
+#100=#5021
+X20.
+#101=#5021
+M30
+%
+(EXPECT #100 = -10)
+(EXPECT #101 = -30)
