@@ -159,3 +159,91 @@ M30
 %
 (EXPECT #100 = -10)
 (EXPECT #101 = -30)
+
+(CASE R of G68 adds to the last one under G91, and counts for a G68 without R)
+(CONTROL meldas)
+(SOURCE M700V programming manual 13.21 (1) and (5), page 448)
+%
+O1
+G90 G0 X0 Y0
+G68 X0 Y0
+X10. Y0
+#100=#5021
+G68 X0 Y0 R30.
+G91 G68 X0 Y0 R30.
+G90 X10. Y0
+#101=#5021
+#102=#5022
+G68 X0 Y0
+X10. Y0
+#103=#5021
+G91 G68 X0 Y0
+G90 X10. Y0
+#104=#5022
+G68 X0 Y0 R30.
+X10. Y0
+#105=#5022
+M30
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 5)
+(EXPECT #102 = 8.660254037844 WITHIN 0.000000000001)
+(EXPECT #103 = 5)
+(EXPECT #104 = 8.660254037844 WITHIN 0.000000000001)
+(EXPECT #105 = 5)
+
+(CASE it counts behind G69, too, and a mirror turns what it comes to)
+(CONTROL meldas)
+%
+O1
+G90 G0 X0 Y0
+G68 X0 Y0 R20.
+G69
+G68 X0 Y0
+G91 G68 X0 Y0 R10.
+G69
+G90 X0 Y0
+G51.1 X0
+G68 X0 Y0
+X10. Y0
+#100=#5021
+#101=#5022
+M30
+%
+(EXPECT #100 = -8.660254037844 WITHIN 0.000000000001)
+(EXPECT #101 = 5)
+
+(CASE elsewhere R is absolute, and a G68 without it turns by parameter 5410)
+(PARAMETER 5410 = 90)
+%
+O1
+G90 G0 X0 Y0
+G68 X0 Y0 R30.
+G91 G68 X0 Y0 R30.
+G90 X10. Y0
+#100=#5022
+G68 X0 Y0
+X10. Y0
+#101=#5022
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 10)
+
+(CASE by parameter 5400.0 it adds under G91 to the one in force)
+(PARAMETER 5400.0 = 1)
+%
+O1
+G90 G0 X0 Y0
+G91 G68 X0 Y0 R10.
+G68 X0 Y0 R20.
+G90 X10. Y0
+#100=#5022
+G69
+G91 G68 X0 Y0 R30.
+G90 X10. Y0
+#101=#5022
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 5)

@@ -72,6 +72,21 @@ AxisPositions stage_centre(const Control& control, const NcBlock& block,
   return q_centre;
 }
 
+/// deg: how far G68 turns, as the program has it.
+double rotation_angle(const Control& control, const NcBlock& block) {
+  const bool keeps = control.profile.keeps_rotation_angle;
+  const double last = control.transforms.angle_deg;
+  const EvaluatedWord* const r = block.words.find('R');
+  if (r == nullptr && keeps) {
+    return last;
+  }
+  const double given = r != nullptr ? control.scale.angle_deg(*r)
+                                    : control.parameters.get(ParameterId::UsualRotation);
+  const bool adds = keeps || (control.transforms.rotation &&
+                              control.parameters.is_on(ParameterId::IncrementalAngle));
+  return adds && control.modal.incremental() ? last + given : given;
+}
+
 }  // namespace
 
 /// G51.1: the named axes are mirrored at these coordinates (MB-300).
@@ -130,19 +145,11 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
   const WorkTransform before = control.transforms.before_rotation();
   const AxisPositions q_W_centre =
       stage_centre(control, block, before, coordinates.transform().apply(coordinates.programmed()));
-  const EvaluatedWord* const r = block.words.find('R');
-  double angle_deg = r != nullptr ? control.scale.angle_deg(*r)
-                                  : control.parameters.get(ParameterId::UsualRotation);
-  if (before.reverses_turns(plane)) {
-    angle_deg = -angle_deg;
-  }
-  const bool adds = control.modal.incremental() && control.transforms.rotation &&
-                    control.parameters.is_on(ParameterId::IncrementalAngle);
-  if (adds) {
-    angle_deg += control.transforms.rotation->angle_deg;
-  }
-  control.transforms.rotation = Rotation{
-      plane, Eigen::Vector2d(q_W_centre[plane.first], q_W_centre[plane.second]), angle_deg};
+  const double angle_deg = rotation_angle(control, block);
+  control.transforms.angle_deg = angle_deg;
+  control.transforms.rotation =
+      Rotation{plane, Eigen::Vector2d(q_W_centre[plane.first], q_W_centre[plane.second]),
+               before.reverses_turns(plane) ? -angle_deg : angle_deg};
   apply(control);
   return std::nullopt;
 }

@@ -83,6 +83,7 @@ struct TransformStages {
   std::array<std::optional<double>, kAxisCount> mirrored_at;  ///< by axis
   std::optional<Scaling> scaling;
   std::optional<Rotation> rotation;
+  double angle_deg = 0.0;  ///< of the last G68, as the program has it
 
   /// Whether another plane than this one is turned.
   [[nodiscard]] bool turns_other_than(const Plane& plane) const {
