@@ -247,3 +247,57 @@ M30
 %
 (EXPECT #100 = 5)
 (EXPECT #101 = 5)
+
+(CASE settings 71 to 73 of a Haas: factor without P, angle without R, R that adds under G91)
+(CONTROL haas)
+(SOURCE Haas mill operator's manual, G51, G68 and settings 71 to 73)
+(SET #20071 = 2)
+(SET #20072 = 30)
+(SET #20073 = 1)
+%
+O1
+G90 G0 X0 Y0
+G68 X0 Y0
+X10. Y0
+#100=#5021
+G69
+G51 X0 Y0
+X10. Y0
+#101=#5021
+G51 X0 Y0 P3.
+X10. Y0
+#102=#5021
+G50
+G68 X0 Y0 R30.
+G91 G68 X0 Y0 R30.
+G90 X10. Y0
+#103=#5021
+#104=#20072
+M30
+%
+(EXPECT #100 = 8.660254037844 WITHIN 0.000000000001)
+(EXPECT #101 = 20)
+(EXPECT #102 = 30)
+(EXPECT #103 = 5)
+(EXPECT #104 = 30)
+
+(CASE settings that are 0 leave factor 1, angle 0 and an absolute R)
+(CONTROL haas)
+(SET #20071 = 0)
+(SET #20072 = 0)
+(SET #20073 = 0)
+%
+O1
+G90 G0 X0 Y0
+G51 X0 Y0
+G68 X0 Y0
+X10. Y0
+#100=#5021
+G68 X0 Y0 R30.
+G91 G68 X0 Y0 R30.
+G90 X10. Y0
+#101=#5022
+M30
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 5)

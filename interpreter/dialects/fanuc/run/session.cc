@@ -96,19 +96,23 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
   }
 }
 
-/// The centre of rotation of a Haas is in its settings: parameters 19700 to 19702 of others.
-void take_centre_settings(Control& control) {
+/// What a Haas has in its settings and others in parameters.
+void take_parameter_settings(Control& control) {
   constexpr int kTableOfSettings = 20000;
-  constexpr int kCentre = 19700;
-  const int first = kTableOfSettings + control.profile.first_centre_setting;
   Parameters parameters = control.parameters;
   bool is_set = false;
-  for (int axis = 0; axis < kLinearAxisCount && first != kTableOfSettings; ++axis) {
-    const auto setting = control.data.find(first + axis);
-    if (setting != control.data.end()) {
-      parameters.set_value(kCentre + axis, setting->second);
-      is_set = true;
+  for (const ParameterSetting& row : control.profile.parameter_settings) {
+    const auto setting = control.data.find(kTableOfSettings + row.setting);
+    if (setting == control.data.end() || (setting->second == 0.0 && !row.takes_zero)) {
+      continue;
     }
+    const ParameterInfo& parameter = info(row.parameter);
+    if (parameter.bit) {
+      parameters.switch_to(row.parameter, true);
+    } else {
+      parameters.set_value(parameter.first + row.index, setting->second * row.counts);
+    }
+    is_set = true;
   }
   if (is_set) {
     control.apply(parameters);
@@ -240,7 +244,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   }
   configure_calls(control, setup, refused);
   preset_variables(control, setup, refused);
-  take_centre_settings(control);
+  take_parameter_settings(control);
   return refused;
 }
 

@@ -26,6 +26,14 @@ constexpr GNumber kMissingOfHaas[] = {
     {48, 0}, {50, 1}, {50, 2}, {51, 1}, {51, 2}, {53, 1}, {53, 6}, {54, 1}, {54, 2},
     {54, 4}, {62, 0}, {63, 0}, {68, 2}, {68, 3}, {68, 4}, {72, 1}, {72, 2}, {84, 2},
     {84, 3}, {87, 0}, {88, 0}, {92, 1}, {96, 0}, {97, 0}};
+/// Mill operator's manual 96-8000, G51, G68 and settings 71 to 73; 255 to 257 are the centre of
+/// rotation X Y Z of the table (MRZP).
+constexpr ParameterSetting kSettingsOfHaas[] = {{71, ParameterId::UsualScale, 0, 1000.0},
+                                                {72, ParameterId::UsualRotation},
+                                                {73, ParameterId::IncrementalAngle},
+                                                {255, ParameterId::TablePosition, 0, 1.0, true},
+                                                {256, ParameterId::TablePosition, 1, 1.0, true},
+                                                {257, ParameterId::TablePosition, 2, 1.0, true}};
 /// The tilted plane is an option there, tool centre point control is not to be had.
 constexpr GNumber kMissingOf0iF[] = {{43, 4}, {43, 5}, {53, 6}, {54, 2}, {54, 4}, {68, 3}, {68, 4}};
 
@@ -232,7 +240,7 @@ constexpr Profile haas() {
   // Mill operator's manual (NGC) 2017, G154, G10 L20, M109
   profile.additional_systems = 99;
   profile.asks_for_keys = true;
-  profile.first_centre_setting = 255;
+  profile.parameter_settings = kSettingsOfHaas;
   profile.single_direction = {ParameterId::SingleDirection, std::nullopt, 35};  // not modal there
   return profile;
 }

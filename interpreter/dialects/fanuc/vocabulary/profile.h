@@ -147,6 +147,15 @@ struct NameRule {
   int longest = 8;  ///< characters
 };
 
+/// A setting of a Haas that is a parameter of the others.
+struct ParameterSetting {
+  int setting;  ///< #20000 and so many
+  ParameterId parameter;
+  int index = 0;            ///< which of the row's numbers
+  double counts = 1.0;      ///< the parameter is so many times the setting
+  bool takes_zero = false;  ///< else 0 leaves the parameter as it is
+};
+
 /// A control of the family, as data: the interpreter asks for the property, never for the name.
 /// What profile.cc does not say is as on the 16i.
 struct Profile {
@@ -262,8 +271,7 @@ struct Profile {
   bool skip_takes_r = false;  ///< R of G31: whether the move accelerates and brakes
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
 
-  /// Of the settings that give the centre of rotation X Y Z of the table (MRZP) the first; 0: none.
-  int first_centre_setting = 0;
+  std::span<const ParameterSetting> parameter_settings;
 
   int blocks_read = 3;  ///< in cutter compensation, where parameter 19625 says nothing
 
