@@ -434,3 +434,69 @@ M30
 %
 (EXPECT MOVE 2 G1 X50 F100)
 (EXPECT MOVE 3 G0 X60)
+
+(CASE G52 is of the work system in force alone, and adds under G91)
+(SOURCE M700V programming manual 14.11, page 531)
+(SHEET [work_offsets.G54])
+(SHEET X = 100.0)
+(SHEET [work_offsets.G55])
+(SHEET X = 200.0)
+%
+O1
+G90 G54 G52 X10.
+G55 G0 X0
+#100=#5021
+G91 G54 G52 X10.
+G90 X0
+#101=#5021
+#102=#5001
+G55 G52 X-5. Y3.
+X1. Y0
+#103=#5021
+#104=#5022
+G54 X0 Y0
+#105=#5021
+#106=#5022
+G54 G52 X0
+X0
+#107=#5021
+G55 X0
+#108=#5021
+M30
+%
+(EXPECT #100 = 200)
+(EXPECT #101 = 120)
+(EXPECT #102 = 0)
+(EXPECT #103 = 196)
+(EXPECT #104 = 3)
+(EXPECT #105 = 120)
+(EXPECT #106 = 0)
+(EXPECT #107 = 100)
+(EXPECT #108 = 195)
+
+(CASE G92 shifts all work systems alike and leaves each its G52, G92.1 ends both)
+(SHEET [work_offsets.G54])
+(SHEET X = 100.0)
+(SHEET [work_offsets.G55])
+(SHEET X = 200.0)
+%
+O1
+G90 G55 G52 X5.
+G54 G52 X10.
+G0 X0
+G92 X-3.
+X0
+#100=#5021
+G55 X0
+#101=#5021
+G92.1 X0
+X0
+#102=#5021
+G54 X0
+#103=#5021
+M30
+%
+(EXPECT #100 = 113)
+(EXPECT #101 = 208)
+(EXPECT #102 = 200)
+(EXPECT #103 = 100)

@@ -177,12 +177,15 @@ Result<double, Failure> cutter_radius(const Control& control) {
   return number != 0 ? share * (entry.radius_mm + entry.radius_wear_mm) : 0.0;
 }
 
-/// G52: the named axes take this shift, in every work system (MB-290).
+/// G52: the named axes take this shift, in every work system (MB-290) or in the one in force.
 MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
   control.use_measured();
+  const bool adds = control.profile.shifts_each_system && control.modal.incremental();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      control.coordinates.set_local_shift(static_cast<int>(axis), axis_value(control, *word, axis));
+      const int index = static_cast<int>(axis);
+      const double before = adds ? control.coordinates.local_shift()[index] : 0.0;
+      control.coordinates.set_local_shift(index, before + axis_value(control, *word, axis));
     }
   }
   return std::nullopt;

@@ -94,6 +94,9 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
                 rules_of(chosen, parameters, controlled_axes)) {
   scale.excess_decimals = profile.excess_decimals;
   rapids.positioning = profile.rapids.positioning;
+  if (profile.shifts_each_system) {
+    coordinates.shift_each_system();
+  }
   outlet.lead_by(coordinates.leader());
 }
 

@@ -1,11 +1,17 @@
 #include "interpreter/dialects/fanuc/state/coordinates.h"
 
 #include <tuple>
+#include <utility>
 
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
 namespace {
+
+const AxisPositions& no_shift() {
+  static const AxisPositions kZero = AxisPositions::Zero();
+  return kZero;
+}
 
 /// The rotary axes alone.
 AxisPositions turned(const AxisPositions& q) {
@@ -17,13 +23,12 @@ AxisPositions turned(const AxisPositions& q) {
 }  // namespace
 
 const AxisPositions& Coordinates::system(int which) const {
-  static const AxisPositions kZero = AxisPositions::Zero();
   G31_EXPECTS(which >= 0 && which <= kSystems + kAdditional);
   if (which <= kSystems) {
     return systems_[static_cast<std::size_t>(which)];
   }
   const auto found = additional_.find(which);
-  return found != additional_.end() ? found->second : kZero;
+  return found != additional_.end() ? found->second : no_shift();
 }
 
 void Coordinates::set_system(int which, int axis, double value) {
@@ -41,8 +46,13 @@ void Coordinates::select(int which) {
   refresh();
 }
 
+const AxisPositions& Coordinates::local_shift() const {
+  const auto found = local_shifts_.find(locally_shifted());
+  return found != local_shifts_.end() ? found->second : no_shift();
+}
+
 void Coordinates::set_local_shift(int axis, double value) {
-  local_shift_[axis] = value;
+  local_shifts_.try_emplace(locally_shifted(), no_shift()).first->second[axis] = value;
   refresh();
 }
 
@@ -51,9 +61,12 @@ void Coordinates::declare(int axis, double value) {
   const AxisPositions q_W = transform_.apply(q_L_programmed_);
   q_L_programmed_[axis] = value;
   declared_shift_ += q_W - transform_.apply(q_L_programmed_);
-  // The local shift of the axis becomes part of the declared one: G92 ends G52 (MB-290).
-  declared_shift_[axis] += local_shift_[axis];
-  local_shift_[axis] = 0.0;
+  // The local shift of the axis becomes part of the declared one: G92 ends G52 (MB-290).  Shifts of
+  // single systems stay, for G92 shifts all systems alike.
+  const auto of_all = local_shifts_.find(0);
+  if (of_all != local_shifts_.end()) {
+    declared_shift_[axis] += std::exchange(of_all->second[axis], 0.0);
+  }
   take_shift();
 }
 
@@ -82,7 +95,9 @@ void Coordinates::shift_tool_offset(const AxisPositions& offset) {
 }
 
 void Coordinates::clear_shifts(int axis) {
-  local_shift_[axis] = 0.0;
+  for (auto& shift : local_shifts_) {
+    shift.second[axis] = 0.0;
+  }
   declared_shift_[axis] = 0.0;
   refresh();
 }
@@ -157,7 +172,7 @@ ToolInWork Coordinates::tool_in_work(const AxisPositions& q_M) const {
 }
 
 void Coordinates::take_shift() {
-  shift_ = system(0) + system(selected_) + local_shift_ + declared_shift_ + table_shift_;
+  shift_ = system(0) + system(selected_) + local_shift() + declared_shift_ + table_shift_;
 }
 
 void Coordinates::refresh() {
@@ -260,11 +275,11 @@ AxisPositions Coordinates::led_work_of(const AxisPositions& q_B) const {
 
 bool operator==(const Coordinates& a, const Coordinates& b) {
   const auto told = [](const Coordinates& one) {
-    return std::tie(one.systems_, one.additional_, one.selected_, one.local_shift_,
-                    one.declared_shift_, one.table_shift_, one.tool_offset_, one.shift_,
-                    one.transform_, one.q_L_programmed_, one.believed_, one.part_errors_,
-                    one.error_.matrix(), one.tool_at_rest_.matrix(), one.turns_tool_, one.is_plain_,
-                    one.tip_system_);
+    return std::tie(one.systems_, one.additional_, one.selected_, one.shifts_each_system_,
+                    one.local_shifts_, one.declared_shift_, one.table_shift_, one.tool_offset_,
+                    one.shift_, one.transform_, one.q_L_programmed_, one.believed_,
+                    one.part_errors_, one.error_.matrix(), one.tool_at_rest_.matrix(),
+                    one.turns_tool_, one.is_plain_, one.tip_system_);
   };
   const auto is_same_plane = [&] {
     return !a.work_from_plane_ || a.work_from_plane_->matrix() == b.work_from_plane_->matrix();

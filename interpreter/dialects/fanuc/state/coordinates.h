@@ -58,12 +58,14 @@ class Coordinates {
   void select(int which);
   [[nodiscard]] int selected() const { return selected_; }
 
-  /// G52
+  /// Each system has a G52 of its own from now on.
+  void shift_each_system() { shifts_each_system_ = true; }
+  /// G52: of all systems, or of the selected one.
   void set_local_shift(int axis, double value);
-  [[nodiscard]] const AxisPositions& local_shift() const { return local_shift_; }
+  [[nodiscard]] const AxisPositions& local_shift() const;
   /// G92: from now on the programmed point reads `value` on this axis.  @pre nothing leads the axes
   void declare(int axis, double value);
-  /// G92.1: the axis has no G52 and no G92 any more.
+  /// G92.1: the axis has no G52 and no G92 any more, in any system.
   void clear_shifts(int axis);
   /// G51.1, G51, G68
   void set_transform(const WorkTransform& transform);
@@ -156,6 +158,7 @@ class Coordinates {
   friend bool operator==(const Coordinates& a, const Coordinates& b);
 
  private:
+  [[nodiscard]] int locally_shifted() const { return shifts_each_system_ ? selected_ : 0; }
   void refresh();
   void take_shift();
   void lead();
@@ -174,7 +177,8 @@ class Coordinates {
   std::array<AxisPositions, kSystems + 1> systems_;
   std::map<int, AxisPositions> additional_;
   int selected_ = 1;
-  AxisPositions local_shift_ = AxisPositions::Zero();
+  bool shifts_each_system_ = false;
+  std::map<int, AxisPositions> local_shifts_;  // by system; under 0 that of all
   AxisPositions declared_shift_ = AxisPositions::Zero();
   AxisPositions table_shift_ = AxisPositions::Zero();  // G254
   AxisPositions tool_offset_ = AxisPositions::Zero();

@@ -140,6 +140,7 @@ constexpr Profile meldas() {
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.scale = {1e6, true, true};       // M700V programming manual, scaling
   profile.keeps_rotation_angle = true;     // the same manual, 13.21 (1) and (5), page 448
+  profile.shifts_each_system = true;       // the same manual, 14.11, page 531
   profile.bars_origins_in_rotation = false;
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
