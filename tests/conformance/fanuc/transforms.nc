@@ -301,3 +301,204 @@ M30
 %
 (EXPECT #100 = 10)
 (EXPECT #101 = 5)
+
+(CASE 11600.5 = 0: an axis that is not named is where the program had it before the rotation)
+(CONTROL fanuc-30i)
+(SOURCE FANUC 30i parameter manual, parameter 11600.5, its example; from general knowledge, unverified)
+%
+O1
+G90 G0 X0 Y0
+G1 X10. Y10. F1000
+G68 X0 Y0 R45.
+#101=#5001
+#102=#5002
+Y14.142
+#103=#5021
+#104=#5022
+#105=#5001
+X5.
+#106=#5021
+#107=#5002
+M30
+%
+(EXPECT #101 = 14.142135623731 WITHIN 0.000000000001)
+(EXPECT #102 = 0 WITHIN 0.000000000001)
+(EXPECT #103 = -2.928836287675 WITHIN 0.000000000001)
+(EXPECT #104 = 17.070971911406 WITHIN 0.000000000001)
+(EXPECT #105 = 10)
+(EXPECT #106 = -6.464370193607 WITHIN 0.000000000001)
+(EXPECT #107 = 14.142)
+
+(CASE 11600.5 = 1: it is where the tool is in the turned plane)
+(CONTROL fanuc-30i)
+(PARAMETER 11600.5 = 1)
+%
+O1
+G90 G0 X0 Y0
+G1 X10. Y10. F1000
+G68 X0 Y0 R45.
+Y14.142
+#103=#5021
+#104=#5022
+M30
+%
+(EXPECT #103 = 0.00009590046 WITHIN 0.000000000001)
+(EXPECT #104 = 19.99990409954 WITHIN 0.000000000001)
+
+(CASE and so it is on a 16i, without a parameter)
+(CONTROL fanuc-16i)
+%
+O1
+G90 G0 X0 Y0
+G1 X10. Y10. F1000
+G68 X0 Y0 R45.
+Y14.142
+#103=#5021
+#104=#5022
+M30
+%
+(EXPECT #103 = 0.00009590046 WITHIN 0.000000000001)
+(EXPECT #104 = 19.99990409954 WITHIN 0.000000000001)
+
+(CASE 11600.5 = 0: blocks that name no axis of the plane leave both, and the next one still counts)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G0 X10. Y10.
+G68 X0 Y0 R90.
+Z5.
+#100=#5021
+#101=#5022
+Y3.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 10)
+(EXPECT #102 = -3)
+(EXPECT #103 = 10)
+
+(CASE 11600.5 = 0: distances under G91 go from where the tool is and count on for the other axis)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G0 X10. Y10.
+G68 X0 Y0 R90.
+G91 X5.
+#100=#5021
+#101=#5022
+G90 Y20.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 15)
+(EXPECT #102 = -20)
+(EXPECT #103 = 15)
+
+(CASE 11600.5 = 0: another G68 in rotation, too; both axes named need nothing; G69 ends it)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G0 X0 Y0
+G68 X0 Y0 R90.
+X10. Y0
+#100=#5021
+#101=#5022
+G68 X0 Y0 R180.
+Y2.
+#102=#5021
+#103=#5022
+G68 X0 Y0 R90.
+G69
+Y5.
+#104=#5021
+#105=#5022
+M30
+%
+(EXPECT #100 = 0 WITHIN 0.000000000001)
+(EXPECT #101 = 10)
+(EXPECT #102 = -10)
+(EXPECT #103 = -2)
+(EXPECT #104 = -10)
+(EXPECT #105 = 5)
+
+(CASE 11600.5 = 0: arcs and canned cycles)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G0 X10. Y0
+G68 X0 Y0 R90.
+G2 Y10. R15. F1000
+#100=#5021
+#101=#5022
+G69
+G0 X10. Y10.
+G68 X0 Y0 R90.
+G81 Y3. Z-5. R2. F100
+G80
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = -10)
+(EXPECT #101 = 10)
+(EXPECT #102 = -3)
+(EXPECT #103 = 10)
+
+(CASE 11600.5 = 0: G31 goes there, and where its signal stopped it the tool's place counts)
+(CONTROL fanuc-30i)
+(SIGNAL X0)
+(SIGNAL X0)
+%
+O1
+G90 G0 X10. Y10.
+G68 X0 Y0 R90.
+G31 Y20. F1000
+#100=#5021
+#101=#5022
+G69
+G0 X10. Y10.
+G68 X0 Y0 R90.
+G91 G31 Y20. F1000
+G90 G0 X5.
+#102=#5021
+#103=#5022
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 10)
+(EXPECT #102 = 0 WITHIN 0.000000000001)
+(EXPECT #103 = 5)
+
+(CASE 11600.5 = 0: under a mirror the axis that is not named is mirrored as a named one)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G0 X0 Y0
+G51.1 X0
+X10. Y10.
+G68 X0 Y0 R90.
+Y3.
+#100=#5021
+#101=#5022
+M30
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 10)
+
+(CASE in inches, too)
+(CONTROL fanuc-30i)
+%
+O1
+G20 G90 G0 X1. Y1.
+G68 X0 Y0 R90.
+Y.3
+#100=#5021
+#101=#5022
+M30
+%
+(EXPECT #100 = -0.3 WITHIN 0.000000000001)
+(EXPECT #101 = 1)

@@ -26,6 +26,21 @@ namespace {
   }
 }
 
+/// What a block commands while G68 turns a plane.
+[[gnu::cold]] const BlockWords& words_in_rotation(Control& control, const BlockWords& words,
+                                                  const Codes& codes, source::Location where) {
+  if (control.profile.bars_origins_in_rotation) {
+    tell_barred_in_rotation(control, codes, where);
+  }
+  const auto omitted = word_before_rotation(control, words, codes);
+  if (!omitted) {
+    return words;
+  }
+  control.completed = words.only([](const EvaluatedWord&) { return true; });
+  control.completed.add(*omitted);
+  return control.completed;
+}
+
 /// G22 with limits: the control would watch them, nothing here does.
 MaybeFailure execute_stroke_check(Control& control, const NcBlock& block) {
   if (block.has_axis_word) {
@@ -178,7 +193,9 @@ bool moves_by_length(const Control& control, const NcBlock& block) {
   if (!codes) {
     return codes.error();
   }
-  NcBlock block{words, where, codes.value().frame, words.has_any(kAxisWords)};
+  const BlockWords& commanded =
+      control.transforms.rotation ? words_in_rotation(control, words, codes.value(), where) : words;
+  NcBlock block{commanded, where, codes.value().frame, commanded.has_any(kAxisWords)};
   if (auto failure = select_offsets(control, block, codes.value())) {
     return failure;
   }
@@ -186,9 +203,6 @@ bool moves_by_length(const Control& control, const NcBlock& block) {
     return failure;
   }
   command_machine(control, words);
-  if (control.transforms.rotation && control.profile.bars_origins_in_rotation) {
-    tell_barred_in_rotation(control, codes.value(), where);
-  }
   if (codes.value().starts_polar) {
     start_polar(control);
   }

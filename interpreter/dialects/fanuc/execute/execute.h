@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "interpreter/dialects/fanuc/code/word_limits.h"
 #include "interpreter/dialects/fanuc/state/control.h"
 #include "interpreter/dialects/fanuc/state/failure.h"
@@ -78,6 +80,10 @@ MaybeFailure execute_data_block(Control& control, const BlockWords& words);
 void start_polar(Control& control);      // G16; transforms.cc
 void cancel_scaling(Control& control);   // G50; transforms.cc
 void cancel_rotation(Control& control);  // G69; transforms.cc
+/// The axis of the turned plane that a motion behind G68 does not name, as a word of its block;
+/// nullopt: it stays where it is (transforms.cc).  @pre G68 is in force
+std::optional<EvaluatedWord> word_before_rotation(Control& control, const BlockWords& words,
+                                                  const Codes& codes);
 /// Points and vectors of G68.2 P2 and P3 stand in blocks that follow each other (tilted_plane.cc).
 MaybeFailure refuse_unfinished_plane(const Control& control, const Codes& codes);
 /// G43.4 and G43.5 begin, or another code of their group ends them (tool_axis.cc).

@@ -1,6 +1,7 @@
 #include <iterator>
 #include <utility>
 
+#include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -145,13 +146,50 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
   const WorkTransform before = control.transforms.before_rotation();
   const AxisPositions q_W_centre =
       stage_centre(control, block, before, coordinates.transform().apply(coordinates.programmed()));
+  const AxisPositions q_L_unturned = coordinates.unturned().value_or(coordinates.programmed());
   const double angle_deg = rotation_angle(control, block);
   control.transforms.angle_deg = angle_deg;
   control.transforms.rotation =
       Rotation{plane, Eigen::Vector2d(q_W_centre[plane.first], q_W_centre[plane.second]),
                before.reverses_turns(plane) ? -angle_deg : angle_deg};
   apply(control);
+  if (control.profile.omits_before_rotation &&
+      !control.parameters.is_on(ParameterId::OneAxisInTurnedPlane)) {
+    control.coordinates.set_unturned(q_L_unturned);
+  }
   return std::nullopt;
+}
+
+std::optional<EvaluatedWord> word_before_rotation(Control& control, const BlockWords& words,
+                                                  const Codes& codes) {
+  auto q_L = control.coordinates.unturned();
+  const bool moves = codes.frame == nullptr && codes.work_offset == nullptr &&
+                     (codes.one_shot == nullptr || codes.one_shot->action == GAction::Skip);
+  const Plane& plane = control.transforms.rotation->plane;
+  std::optional<int> omitted;
+  int named = 0;
+  for (const int axis : {plane.first, plane.second}) {
+    const EvaluatedWord* const word = words.find(kAxisLetters[static_cast<std::size_t>(axis)]);
+    if (word == nullptr) {
+      omitted = axis;
+    } else if (q_L) {
+      (*q_L)[axis] += axis_value(control, *word, static_cast<std::size_t>(axis));
+      ++named;
+    }
+  }
+  if (!moves || named == 0) {
+    return std::nullopt;
+  }
+  const bool counts_on = control.modal.incremental() && !control.polar;
+  control.coordinates.set_unturned(counts_on ? q_L : std::nullopt);
+  if (control.modal.incremental() || control.polar || !omitted) {
+    return std::nullopt;
+  }
+  EvaluatedWord word;
+  word.letter = kAxisLetters[static_cast<std::size_t>(*omitted)];
+  word.form = syntax::ValueForm::Decimal;
+  word.number = control.from_mm((*q_L)[*omitted]);
+  return word;
 }
 
 void cancel_rotation(Control& control) {

@@ -36,6 +36,7 @@ struct Control : ControlState {
   runtime::Observer& observer;
   path::Outlet outlet;
   source::Location block;  ///< of NC words, the one that runs
+  BlockWords completed;    ///< its words, where it commands more than is written
 
   SystemVariableIndex system_variables;
   AllVariables all_variables;

@@ -58,6 +58,7 @@ void Coordinates::set_local_shift(int axis, double value) {
 
 void Coordinates::declare(int axis, double value) {
   G31_EXPECTS(tip_ == nullptr);
+  q_L_unturned_.reset();
   const AxisPositions q_W = transform_.apply(q_L_programmed_);
   q_L_programmed_[axis] = value;
   declared_shift_ += q_W - transform_.apply(q_L_programmed_);
@@ -103,6 +104,7 @@ void Coordinates::clear_shifts(int axis) {
 }
 
 void Coordinates::set_transform(const WorkTransform& transform) {
+  q_L_unturned_.reset();
   const AxisPositions q_W = transform_.apply(q_L_programmed_);
   transform_ = transform;
   q_L_programmed_ = transform_.undo(q_W);
@@ -176,6 +178,7 @@ void Coordinates::take_shift() {
 }
 
 void Coordinates::refresh() {
+  q_L_unturned_.reset();
   if (!is_plain_) {
     keep_axes([this] { take_shift(); });
     return;
@@ -277,9 +280,9 @@ bool operator==(const Coordinates& a, const Coordinates& b) {
   const auto told = [](const Coordinates& one) {
     return std::tie(one.systems_, one.additional_, one.selected_, one.shifts_each_system_,
                     one.local_shifts_, one.declared_shift_, one.table_shift_, one.tool_offset_,
-                    one.shift_, one.transform_, one.q_L_programmed_, one.believed_,
-                    one.part_errors_, one.error_.matrix(), one.tool_at_rest_.matrix(),
-                    one.turns_tool_, one.is_plain_, one.tip_system_);
+                    one.shift_, one.transform_, one.q_L_programmed_, one.q_L_unturned_,
+                    one.believed_, one.part_errors_, one.error_.matrix(),
+                    one.tool_at_rest_.matrix(), one.turns_tool_, one.is_plain_, one.tip_system_);
   };
   const auto is_same_plane = [&] {
     return !a.work_from_plane_ || a.work_from_plane_->matrix() == b.work_from_plane_->matrix();

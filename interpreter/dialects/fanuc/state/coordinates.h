@@ -69,6 +69,11 @@ class Coordinates {
   void clear_shifts(int axis);
   /// G51.1, G51, G68
   void set_transform(const WorkTransform& transform);
+  /// Behind G68, where the program has the axes that it does not name, as it had them before the
+  /// rotation (L); nullopt: where they are.  Whatever takes the axes or the coordinates elsewhere
+  /// ends it.
+  [[nodiscard]] const std::optional<AxisPositions>& unturned() const { return q_L_unturned_; }
+  void set_unturned(const std::optional<AxisPositions>& q_L) { q_L_unturned_ = q_L; }
   [[nodiscard]] const WorkTransform& transform() const { return transform_; }
 
   /// What the control takes the machine for.
@@ -152,7 +157,10 @@ class Coordinates {
   /// A programmed move has ended at its end point.
   void arrived_at_programmed(const AxisPositions& q_L) { q_L_programmed_ = q_L; }
   /// The axes stand at a machine position that no block programmed (skip, reference point).
-  void arrived_at_machine(const AxisPositions& q_M) { q_L_programmed_ = to_program(q_M); }
+  void arrived_at_machine(const AxisPositions& q_M) {
+    q_L_programmed_ = to_program(q_M);
+    q_L_unturned_.reset();
+  }
 
   /// What leads the axes, and the parts of the chain, are made of the rest and not compared.
   friend bool operator==(const Coordinates& a, const Coordinates& b);
@@ -185,6 +193,7 @@ class Coordinates {
   AxisPositions shift_ = AxisPositions::Zero();
   WorkTransform transform_;
   AxisPositions q_L_programmed_ = AxisPositions::Zero();
+  std::optional<AxisPositions> q_L_unturned_;
   machine::AxisChainSetup believed_;
   Eigen::Isometry3d tool_at_rest_ = Eigen::Isometry3d::Identity();
   machine::AxisChain table_{believed_, Point::Zero()};   // that chain, for what turns the part

@@ -78,6 +78,7 @@ constexpr Profile fanuc_30i() {
   profile.smallest_result = 0.0;
   profile.functions = FunctionLevel::Series30i;
   profile.scale.takes_fractions = true;
+  profile.omits_before_rotation = true;  // parameter 11600.5, by general knowledge
   profile.names = {100, 999, 31};
   profile.largest_sequence = 99999999;
   profile.offset_limit_mm = 10000.0;

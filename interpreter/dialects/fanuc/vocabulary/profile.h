@@ -227,6 +227,9 @@ struct Profile {
   /// R of G68 is modal: it counts for later ones without R, behind G69, too, and one under G91 is
   /// added to it.  Else parameters 5410 and 5400.0 say what these do.
   bool keeps_rotation_angle = false;
+  /// Behind G68 an axis that a block does not name is where the program had it before the rotation,
+  /// unless parameter 11600.5 is on; else it is where the tool is in the turned plane.
+  bool omits_before_rotation = false;
   /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
   bool bars_origins_in_rotation = true;
 
