@@ -173,7 +173,8 @@ bool JudgedBlock::sets_other_data() const {
     return false;
   }
   const EvaluatedWord* const l = words_.find('L');
-  const int number = l != nullptr ? fanuc::nearest_integer(l->number) : fanuc::kUsualData;
+  const int number = l != nullptr ? fanuc::nearest_integer(l->number)
+                                  : fanuc::usual_data(words_.words(), profile_);
   return !fanuc::sets_work_offset(number) &&
          fanuc::find_offset_form(number, runtime::OffsetMemory::C) == nullptr;
 }

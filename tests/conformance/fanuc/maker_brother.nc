@@ -132,3 +132,17 @@ G121 X1. Y1. Z1. R5. Q3.
 M30
 %
 (EXPECT ALARM 10 AT 3)
+
+(CASE DPRNT takes up to nine places on either side of the point)
+%
+O1
+#1=-12.34567
+#2=1.5
+#3=0.5
+POPEN
+DPRNT[A#1[54]B#3[09]C#2[91]]
+DPRNT[#1[20]]
+PCLOS
+M30
+%
+(EXPECT OUTPUT "A-   12.3457B .500000000C         1.5\n-12\n")

@@ -500,3 +500,42 @@ M30
 (EXPECT #101 = 208)
 (EXPECT #102 = 200)
 (EXPECT #103 = 100)
+
+(CASE G10 L2 without P sets the work system in force, and that of its own block)
+(SOURCE M700V programming manual, page 237, 9 to 11)
+%
+O1
+G90 G55 G0 X100. Y50.
+G10 L2 X-100. Y-50.
+#500=#5201
+#501=#5241
+G0 X0
+G10 G56 L2 X5.
+#502=#5261
+#503=#5241
+M30
+%
+(EXPECT #500 = 0)
+(EXPECT #501 = -100)
+(EXPECT MOVE 2 X-100)
+(EXPECT #502 = 5)
+(EXPECT #503 = -100)
+
+(CASE with axes G10 without L sets a work offset, by P or that in force)
+%
+O1
+G10 P1 X5.
+#500=#5221
+G56 G10 X7.
+#501=#5261
+G54.1 P2
+G10 Y3.
+#502=#7022
+G10 L20 P1 Y4.
+#503=#7002
+M30
+%
+(EXPECT #500 = 5)
+(EXPECT #501 = 7)
+(EXPECT #502 = 3)
+(EXPECT #503 = 4)

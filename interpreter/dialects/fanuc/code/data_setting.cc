@@ -31,6 +31,13 @@ const OffsetForm* find_offset_form(int l, OffsetMemory memory) {
   return nullptr;
 }
 
+int usual_data(const BlockWords& words, const Profile& profile) {
+  constexpr int kToolOffset = 1;
+  constexpr int kWorkOffset = 2;
+  constexpr std::uint32_t kAxes = letters_of({kAxisLetters, kAxisCount});
+  return profile.sets_system_in_force && words.has_any(kAxes) ? kWorkOffset : kToolOffset;
+}
+
 bool ends_data(const Profile& profile) {
   constexpr GNumber kEndOfData{11, 0};
   return find_g_code(kEndOfData, profile) != nullptr;

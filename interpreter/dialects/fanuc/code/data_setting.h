@@ -17,12 +17,13 @@ struct OffsetForm {
 /// nullptr: L sets no tool offset of such a memory.
 const OffsetForm* find_offset_form(int l, runtime::OffsetMemory memory);
 
-inline constexpr int kUsualData = 1;     ///< L of G10, where there is none
 inline constexpr int kToolLifeData = 3;  ///< G10 L3
 /// G10 L50, and L52 where programs of newer controls write it.
 constexpr bool sets_parameters(int l) {
   return l == 50 || l == 52;
 }
+/// L of G10, where there is none.
+int usual_data(const BlockWords& words, const Profile& profile);
 /// G10 L2 and L20.
 constexpr bool sets_work_offset(int l) {
   return l == 2 || l == 20;

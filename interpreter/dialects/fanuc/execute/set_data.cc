@@ -38,6 +38,15 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   return std::nullopt;
 }
 
+/// P of G10 L2 and L20 where there is none.
+int usual_system(const Control& control, int l) {
+  if (!control.profile.sets_system_in_force) {
+    return l == 2 ? 0 : 1;
+  }
+  const int selected = control.coordinates.selected();
+  return selected - (l == 2 ? 0 : Coordinates::kSystems);
+}
+
 /// G10 L2 P0..P6 and L20 P1..P300; axes that are not named keep their value.
 MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   const EvaluatedWord* const p = block.words.find('P');
@@ -45,7 +54,7 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
       p != nullptr
           ? integer_within(*p,
                            [&](int given) { return wrong_data_number(l, given, control.profile); })
-          : Result<int, Failure>(l == 2 ? 0 : 1);
+          : Result<int, Failure>(usual_system(control, l));
   if (!number) {
     return number.error();
   }
@@ -98,7 +107,8 @@ MaybeFailure set_table_offset(Control& control, const NcBlock& block) {
 MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   control.use_measured();
   const EvaluatedWord* const word = block.words.find('L');
-  const auto l = word != nullptr ? integer_of(*word) : Result<int, Failure>(kUsualData);
+  const auto l = word != nullptr ? integer_of(*word)
+                                 : Result<int, Failure>(usual_data(block.words, control.profile));
   if (!l) {
     return l.error();
   }

@@ -73,7 +73,8 @@ Entry entry_of(const Profile& profile) {
         profile.skip_feed == SkipFeed::Modal ? "stays in force" : "counts for its block only"},
        {"DPRNT",
         fmt::format(
-            "{} to {} digits a variable{}", output.fewest_digits, output.most_digits,
+            "{} to {} digits {}{}", output.fewest_digits, output.most_digits,
+            output.counts_sides_apart ? "on either side of the point" : "a variable",
             output.without_popen == OutputRule::WithoutPopen::Alarm ? ", after POPEN" : "")},
        {"G codes of the family it lacks", missing_codes(profile)}}};
 }

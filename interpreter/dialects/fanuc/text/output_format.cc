@@ -78,10 +78,13 @@ std::optional<std::string> refused_by(const OutputRule& rule,
       continue;
     }
     ++variables;
-    const int digits = item.integer_places + item.decimals;
+    const int digits = rule.counts_sides_apart ? std::max(item.integer_places, item.decimals)
+                                               : item.integer_places + item.decimals;
     if (digits < rule.fewest_digits || digits > rule.most_digits) {
-      return fmt::format("#{}[{}{}]: the places together are {} to {}", item.variable,
-                         item.integer_places, item.decimals, rule.fewest_digits, rule.most_digits);
+      return fmt::format("#{}[{}{}]: the places {} are {} to {}", item.variable,
+                         item.integer_places, item.decimals,
+                         rule.counts_sides_apart ? "on either side" : "together",
+                         rule.fewest_digits, rule.most_digits);
     }
   }
   if (rule.most_variables != 0 && variables > rule.most_variables) {

@@ -107,10 +107,26 @@ constexpr Profile fanuc_0i_d() {
   return profile;
 }
 
+/// What MELDAS has otherwise of coordinates and rapids, by the M700V programming manual.
+constexpr void take_meldas_coordinates(Profile& profile) {
+  profile.scale = {1e6, true, true};    // M700V programming manual, scaling
+  profile.keeps_rotation_angle = true;  // the same manual, 13.21 (1) and (5), page 448
+  profile.shifts_each_system = true;    // the same manual, 14.11, page 531
+  profile.sets_system_in_force = true;  // the same manual, page 237 (9) to (11)
+  profile.bars_origins_in_rotation = false;
+  // M700V programming manual, 12.2 (4); 14.4 (4) and (5), page 508: G53 cancels no compensation
+  profile.machine_move_length = MachineMoveLength::Ignores;
+  profile.machine_moves_add = true;
+  profile.machine_moves_by_mode = true;  // 14.4 (7)
+  // The same manual, G00: straight or not by a parameter; G28, G29: the other way; G53: as modal
+  profile.rapids = {machine::RapidPath::Straight, true};
+}
+
 constexpr Profile meldas() {
   Profile profile = fanuc_16i();
   profile.name = "meldas";
   profile.text = "Mitsubishi MELDAS M60, M70, M700";
+  take_meldas_coordinates(profile);
   profile.helix_counts_turns = true;  // M700V programming manual, helical interpolation
   profile.alarm_numbers = AlarmNumbers::Meldas;
   profile.alarm_prefix = "P";
@@ -139,21 +155,11 @@ constexpr Profile meldas() {
   profile.skip_takes_r = true;             // M700V programming manual, skip function
   profile.whole_with_point = "ST";         // M700V programming manual, decimal point input
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
-  profile.scale = {1e6, true, true};       // M700V programming manual, scaling
-  profile.keeps_rotation_angle = true;     // the same manual, 13.21 (1) and (5), page 448
-  profile.shifts_each_system = true;       // the same manual, 14.11, page 531
-  profile.bars_origins_in_rotation = false;
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
   profile.macro_alarm.smallest = 1;
   profile.macro_alarm.largest = 9999;
   profile.blocks_read = 5;
-  // M700V programming manual, 12.2 (4); 14.4 (4) and (5), page 508: G53 cancels no compensation
-  profile.machine_move_length = MachineMoveLength::Ignores;
-  profile.machine_moves_add = true;
-  profile.machine_moves_by_mode = true;  // 14.4 (7)
-  // The same manual, G00: straight or not by a parameter; G28, G29: the other way; G53: as modal
-  profile.rapids = {machine::RapidPath::Straight, true};
   profile.modal_layout = meldas_modal_layout();
   profile.variables = {Basic,          WordsByNumber,  OffsetsMeldas,
                        ExternalOffset, ExecutingModal, MeldasCommons};
@@ -269,6 +275,8 @@ constexpr Profile brother() {
   profile.macro_alarm.largest = 999;
   profile.macro_alarm.text_length = 20;
   profile.output.without_popen = OutputRule::WithoutPopen::Alarm;
+  profile.output.most_digits = 9;
+  profile.output.counts_sides_apart = true;  // the same manual, page 6-30
   profile.output.most_variables = 10;
   return profile;
 }

@@ -242,6 +242,9 @@ struct Profile {
   /// G52 shifts the work system in force alone, each has a shift of its own, and under G91 its
   /// values are added.  Else it shifts them all, by its values as they stand (MB-290).
   bool shifts_each_system = false;
+  /// G10 with axes and without P sets the work system in force, also without L; else L2 without P
+  /// sets the external offset, and G10 without L a tool offset.
+  bool sets_system_in_force = false;
   int additional_systems = kAdditionalSystems;  ///< P of G54.1 and G10 L20 goes up to it
   bool enters_diameters = false;      ///< R of G10 L12 and L13 is a diameter; else a radius
   double offset_limit_mm = 1000.0;    ///< G10 takes less than this (MB-263); in inches a tenth

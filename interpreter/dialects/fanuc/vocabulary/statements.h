@@ -48,7 +48,8 @@ struct OutputRule {
   WithoutPopen without_popen = WithoutPopen::Note;  ///< DPRNT and BPRNT
   int fewest_digits = 0;  ///< integer places and decimals of one variable, DPRNT
   int most_digits = 8;
-  int most_variables = 0;  ///< of one statement; 0: any
+  bool counts_sides_apart = false;  ///< most_digits of either side of the point
+  int most_variables = 0;           ///< of one statement; 0: any
 };
 
 }  // namespace g31::fanuc
