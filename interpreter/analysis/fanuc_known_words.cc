@@ -29,9 +29,7 @@ WrongWord wrong_data(const KnownWords& words, syntax::ShortSpan whole,
   if (WrongWord wrong = words.integer('L', [](int) -> MaybeWrong { return {}; })) {
     return wrong;
   }
-  const EvaluatedWord* const word = words.find('L');
-  const int l = word != nullptr ? fanuc::nearest_integer(word->number)
-                                : fanuc::usual_data(words.words(), profile);
+  const int l = fanuc::data_of(words.words(), profile);
   const bool is_offset = fanuc::find_offset_form(l, kMemory) != nullptr;
   if (is_offset) {
     for (const EvaluatedWord& other : words.words().all()) {

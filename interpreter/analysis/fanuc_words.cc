@@ -172,9 +172,7 @@ bool JudgedBlock::sets_other_data() const {
   if (codes_.acting == nullptr || codes_.acting->action != GAction::SetData) {
     return false;
   }
-  const EvaluatedWord* const l = words_.find('L');
-  const int number = l != nullptr ? fanuc::nearest_integer(l->number)
-                                  : fanuc::usual_data(words_.words(), profile_);
+  const int number = fanuc::data_of(words_.words(), profile_);
   return !fanuc::sets_work_offset(number) &&
          fanuc::find_offset_form(number, runtime::OffsetMemory::C) == nullptr;
 }

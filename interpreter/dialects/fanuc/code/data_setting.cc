@@ -38,6 +38,11 @@ int usual_data(const BlockWords& words, const Profile& profile) {
   return profile.sets_system_in_force && words.has_any(kAxes) ? kWorkOffset : kToolOffset;
 }
 
+int data_of(const BlockWords& words, const Profile& profile) {
+  const EvaluatedWord* const l = words.find('L');
+  return l != nullptr ? nearest_integer(l->number) : usual_data(words, profile);
+}
+
 bool ends_data(const Profile& profile) {
   constexpr GNumber kEndOfData{11, 0};
   return find_g_code(kEndOfData, profile) != nullptr;

@@ -24,6 +24,8 @@ constexpr bool sets_parameters(int l) {
 }
 /// L of G10, where there is none.
 int usual_data(const BlockWords& words, const Profile& profile);
+/// L of G10, or what counts in its place.  @pre an L is an integer
+int data_of(const BlockWords& words, const Profile& profile);
 /// G10 L2 and L20.
 constexpr bool sets_work_offset(int l) {
   return l == 2 || l == 20;

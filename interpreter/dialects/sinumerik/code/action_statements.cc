@@ -203,6 +203,7 @@ void ActionStatements::add_pieces(std::vector<Argument>& pieces, std::size_t fro
     }
   };
   for (std::size_t i = from; i < to;) {
+    // All symbols of a macro stand where its name does: no text lies between them.
     if (i > from && cursor_.at(i).where.begin < cursor_.at(i - 1).where.end) {
       fail(AlarmId::NotImplemented, cursor_.at(i).where,
            text_of(cursor_.at(i).where) + ", a macro, in a synchronised action");

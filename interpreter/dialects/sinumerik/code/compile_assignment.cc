@@ -146,6 +146,7 @@ void Assignments::assign_character(const Expr& target) {
   if (failed()) {
     return;
   }
+  // Changed in a copy: whether the variable takes the text, store() says.
   const Variable& known = program_.variables[static_cast<std::size_t>(target.variable)];
   Expr changed = string;
   changed.value = temporary(Type::String);

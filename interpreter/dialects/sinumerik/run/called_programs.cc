@@ -39,6 +39,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const CallSite& s
   }
   const std::string& name = site.name.empty() ? text : site.name;
   if (const CompiledProgram* const program = find(name)) {
+    // Files and given programs are kept apart, so neither can stand for the other.
     if (is_written(name)) {
       return failure(AlarmId::NotImplemented,
                      fmt::format("a call of {}, to which the run has written: what was there "

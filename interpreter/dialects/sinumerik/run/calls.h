@@ -44,7 +44,7 @@ class Calls {
   MaybeFailure execute_text(const std::string& source);
   /// Whether a path means one of the programs that the run was given, and no file.
   bool is_given_program(const std::string& path);
-  /// Alarm 12140 where a procedure would look into one.
+  /// Alarm 12140 where a procedure would look into one: only files have their text there.
   MaybeFailure expect_no_program(const std::string& path, const char* procedure);
   void set_call_path(std::string path) { programs_.set_call_path(std::move(path)); }
 
