@@ -51,7 +51,7 @@ WrongWord wrong_pause(const KnownWords& words, syntax::ShortSpan whole,
                       const fanuc::Profile& profile) {
   const EvaluatedWord* const p = words.find('P');
   const bool is_seconds = p != nullptr && fanuc::is_dwell_in_seconds(*p, profile);
-  if (p != nullptr && !is_seconds && !fanuc::is_integer(*p)) {
+  if (p != nullptr && !is_seconds && !fanuc::is_dwell_in_milliseconds(*p)) {
     return KnownWords::at(fanuc::point_in(*p), *p);
   }
   const char last = words.stands('U') ? 'U' : words.stands('X') ? 'X' : 'P';
@@ -91,7 +91,7 @@ WrongWord wrong_scaling(const KnownWords& words, syntax::ShortSpan whole,
   if (p == nullptr || words.stands('I') || words.stands('J') || words.stands('K')) {
     return std::nullopt;
   }
-  if (!fanuc::is_scale_factor(*p, profile) && !fanuc::is_integer(*p)) {
+  if (!fanuc::is_scale_factor(*p, profile) && !fanuc::is_integer(*p, profile)) {
     return KnownWords::at(fanuc::point_in(*p), *p);
   }
   return at_block(fanuc::wrong_scale(fanuc::scale_factor(*p, profile), false), whole);
@@ -99,7 +99,8 @@ WrongWord wrong_scaling(const KnownWords& words, syntax::ShortSpan whole,
 
 }  // namespace
 
-KnownWords::KnownWords(std::span<const syntax::Word> words) {
+KnownWords::KnownWords(std::span<const syntax::Word> words, const fanuc::Profile& profile)
+    : profile_(profile) {
   for (const syntax::Word& word : words) {
     if (word.form == syntax::ValueForm::Computed) {
       open_ |= syntax::letter_bit(word.letter);

@@ -15,7 +15,7 @@ using WrongWord = std::optional<WrongConstant>;
 /// The words of an NC block, as far as their numbers stand in the text.
 class KnownWords {
  public:
-  explicit KnownWords(std::span<const syntax::Word> words);
+  KnownWords(std::span<const syntax::Word> words, const fanuc::Profile& profile);
 
   [[nodiscard]] const fanuc::BlockWords& words() const { return words_; }
   [[nodiscard]] bool stands(char letter) const { return words_.has(letter) || is_open(letter); }
@@ -35,11 +35,13 @@ class KnownWords {
     if (word == nullptr) {
       return std::nullopt;
     }
-    return fanuc::is_integer(*word) ? at(limit(fanuc::nearest_integer(word->number)), *word)
-                                    : at(fanuc::point_in(*word), *word);
+    return fanuc::is_integer(*word, profile_)
+               ? at(limit(fanuc::nearest_integer(word->number)), *word)
+               : at(fanuc::point_in(*word), *word);
   }
 
  private:
+  const fanuc::Profile& profile_;
   fanuc::BlockWords words_;
   std::uint32_t open_ = 0;
 };

@@ -69,7 +69,7 @@ class JudgedBlock {
  public:
   JudgedBlock(Words words, syntax::ShortSpan whole, const fanuc::Profile& profile,
               const WordReading& reading)
-      : profile_(profile), reading_(reading), whole_(whole), given_(words), words_(words) {
+      : profile_(profile), reading_(reading), whole_(whole), given_(words), words_(words, profile) {
     for (const EvaluatedWord& word : words_.words().all()) {
       if (word.letter != 'G') {
         continue;
@@ -107,7 +107,7 @@ class JudgedBlock {
 
 /// Of an M code; Block: it calls nothing.
 Use JudgedBlock::use_by_m(const EvaluatedWord& word) const {
-  if (!fanuc::is_integer(word)) {
+  if (!fanuc::is_integer(word, profile_)) {
     return Use::Block;
   }
   if (fanuc::is_return(word)) {

@@ -1,7 +1,10 @@
-// G70, G71 and G72: Haas mill operator's manual 96-8000.
+// G70, G71 and G72: Haas mill operator's manual 96-8000.  G34, G35 and G36: M700V programming
+// manual, special fixed cycles.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
 #include "tests/support/control_run.h"
 
 namespace g31::fanuc::hole_pattern_test {
@@ -10,16 +13,16 @@ namespace {
 using testing::ControlRun;
 using Lines = std::vector<std::string>;
 
-Lines moves(const std::string& program) {
-  ControlRun run("haas", program);
+Lines moves(const std::string& program, const std::string& control = "haas") {
+  ControlRun run(control, program);
   EXPECT_EQ(run.alarm(), 0) << program;
   return run.machine().log();
 }
 
 /// Where holes are drilled to.
-Lines bottoms(const std::string& program) {
+Lines bottoms(const std::string& program, const std::string& control = "haas") {
   Lines found;
-  for (const std::string& line : moves(program)) {
+  for (const std::string& line : moves(program, control)) {
     if (line.ends_with(" F100")) {
       found.push_back(line.substr(5, line.size() - 10));
     }
@@ -68,6 +71,39 @@ TEST(HolePattern, NeedsACycleAndItsWords) {
   EXPECT_EQ(ControlRun("haas", cycle + "G70I10.L0").alarm(), 9);
   EXPECT_EQ(ControlRun("haas", cycle + "G70L4").alarm(), 9);
   EXPECT_EQ(ControlRun("haas", cycle + "G72I10.L1.5").alarm(), 7);
+}
+
+TEST(HolePattern, OfMeldas) {
+  const std::string cycle = "G81Z-5.R1.F100.L0\n";
+  const auto meldas = [&](const std::string& block) { return bottoms(cycle + block, "meldas"); };
+  EXPECT_EQ(meldas("G34X50.Y20.I10.J90.K2"),
+            (Lines{"50.000 30.000 -5.000", "50.000 10.000 -5.000"}));
+  EXPECT_EQ(meldas("G34I10.K4"), (Lines{"10.000 0.000 -5.000", "0.000 10.000 -5.000",
+                                        "-10.000 0.000 -5.000", "0.000 -10.000 -5.000"}));
+  EXPECT_EQ(meldas("G34I10.K-4").at(1), "0.000 -10.000 -5.000") << "clockwise";
+  EXPECT_EQ(meldas("G35X10.I5.J-90.K3"),
+            (Lines{"10.000 0.000 -5.000", "10.000 -5.000 -5.000", "10.000 -10.000 -5.000"}));
+  EXPECT_EQ(meldas("G36I10.P30.K3").at(1), "8.660 5.000 -5.000");
+  EXPECT_EQ(meldas("G36I10.P90.K2\nX30.").at(2), "30.000 10.000 -5.000")
+      << "the next hole is counted from the last";
+  EXPECT_EQ(moves("G82Z-5.R1.P500F100.L0\nG36I10.P90.K1", "meldas").at(3), "dwell 0.5")
+      << "P of the pattern is no dwell";
+  EXPECT_EQ(ControlRun("meldas", cycle + "G34I10.K0").alarm(), 221);
+  EXPECT_EQ(ControlRun("meldas", cycle + "G35I10.K-2").alarm(), 221);
+  EXPECT_EQ(ControlRun("meldas", cycle + "G34I10.").alarm(), 221);
+  EXPECT_EQ(ControlRun("meldas", "G34I10.K4").alarm(), 34);
+  EXPECT_EQ(ControlRun("fanuc-16i", cycle + "G34I10.K4").alarm(), 10);
+}
+
+TEST(HolePattern, EveryCodeHasItsWords) {
+  for (const GCode& code : g_codes()) {
+    if (code.action == GAction::HolePattern) {
+      const bool is_meldas = code.set == CodeSet::Meldas;
+      const std::string block = fmt::format("{}I10.P20.K3L3", to_text(code.number));
+      EXPECT_EQ(bottoms("G81Z-5.R1.F100.L0\n" + block, is_meldas ? "meldas" : "haas").size(), 3)
+          << block;
+    }
+  }
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ WrongValue wrong_plain_word(const EvaluatedWord& word, const Profile& profile) {
   if (word.letter == 'F') {
     return {AlarmId::IllegalMinus, "a feed cannot be negative"};
   }
-  return is_integer(word) || takes_point(word, profile)
+  return is_integer(word, profile)
              ? WrongValue{AlarmId::IllegalMinus, fmt::format("{} counts from 0", word.letter)}
              : point_in(word);
 }

@@ -12,20 +12,23 @@ using MaybeWrong = std::optional<WrongValue>;
 inline constexpr double kCancelModal = 67.0;  ///< G67
 inline constexpr int kReturn = 99;            ///< M99
 
+inline bool has_point(const EvaluatedWord& word) {
+  return word.form == syntax::ValueForm::Decimal;
+}
+/// Whether a whole number may have a point there, which counts for nothing.
+bool takes_point(const EvaluatedWord& word, const Profile& profile);
 /// Of a word whose value is an integer (M S T D H N O L P): a literal must have no point, a
 /// computed one is rounded (MB-025, MB-026).
-inline bool is_integer(const EvaluatedWord& word) {
-  return word.form != syntax::ValueForm::Decimal;
+inline bool is_integer(const EvaluatedWord& word, const Profile& profile) {
+  return !has_point(word) || takes_point(word, profile);
 }
 inline bool is_return(const EvaluatedWord& word) {
-  return word.letter == 'M' && is_integer(word) && nearest_integer(word.number) == kReturn;
+  return word.letter == 'M' && !has_point(word) && nearest_integer(word.number) == kReturn;
 }
 /// M99 of a block, or P or L, which are its own there.
 inline bool is_of_return(const EvaluatedWord& word) {
   return word.letter == 'P' || word.letter == 'L' || is_return(word);
 }
-/// Whether a whole number may have a point there, which counts for nothing.
-bool takes_point(const EvaluatedWord& word, const Profile& profile);
 /// Of one that has a point.
 WrongValue point_in(const EvaluatedWord& word);
 
@@ -35,13 +38,12 @@ inline bool fits_plain_word(const EvaluatedWord& word, const Profile& profile) {
     case 'F':
       return word.number >= 0.0;
     case 'M':
-      return is_integer(word) && nearest_integer(word.number) >= 0;
     case 'S':
     case 'T':
-      return (is_integer(word) || takes_point(word, profile)) && nearest_integer(word.number) >= 0;
+      return is_integer(word, profile) && nearest_integer(word.number) >= 0;
     case 'D':
     case 'H':
-      return is_integer(word);
+      return is_integer(word, profile);
     default:
       return true;
   }
@@ -77,6 +79,11 @@ MaybeWrong wrong_part_error(int number, GNumber code);
 /// Whether P of G04 is in seconds, else in milliseconds (MB-285).
 inline bool is_dwell_in_seconds(const EvaluatedWord& p, const Profile& profile) {
   return p.form != syntax::ValueForm::Integer && profile.dwell_point_is_seconds;
+}
+/// The same of milliseconds.  A point is no slip to pass over, whatever the control does: P1. would
+/// be a thousandth of the second that it looks like.
+inline bool is_dwell_in_milliseconds(const EvaluatedWord& p) {
+  return !has_point(p);
 }
 /// G04, and P of a canned cycle.
 MaybeWrong wrong_dwell(double seconds);

@@ -173,7 +173,7 @@ Result<int, Failure> whole_turns(const Control& control, const NcBlock& block, c
       block.words.has('R')) {
     return 0;
   }
-  return integer_within(*p, [](int turns) {
+  return integer_within(*p, control.profile, [](int turns) {
     return turns < 0 || turns > kMostTurns
                ? MaybeWrong(WrongValue{AlarmId::ValueOutOfRange,
                                        fmt::format("P of a helix is 0 to {} turns", kMostTurns)})

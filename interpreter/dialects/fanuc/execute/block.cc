@@ -250,9 +250,9 @@ MaybeFailure at_word(MaybeWrong wrong, const EvaluatedWord& word) {
   return wrong ? MaybeFailure(at_word(*std::move(wrong), word)) : std::nullopt;
 }
 
-Result<int, Failure> integer_of(const EvaluatedWord& word) {
-  return is_integer(word) ? Result<int, Failure>(nearest_integer(word.number))
-                          : at_word(point_in(word), word);
+Result<int, Failure> integer_of(const EvaluatedWord& word, const Profile& profile) {
+  return is_integer(word, profile) ? Result<int, Failure>(nearest_integer(word.number))
+                                   : at_word(point_in(word), word);
 }
 
 Failure from_fault(const machine::MachineFault& fault) {

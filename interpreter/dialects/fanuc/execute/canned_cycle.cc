@@ -295,7 +295,7 @@ Result<int, Failure> repeats_of(Control& control, const NcBlock& block) {
   if (word == nullptr) {
     return 1;
   }
-  const auto number = integer_of(*word);
+  const auto number = integer_of(*word, control.profile);
   if (number && (number.value() < 0 || number.value() > kMostRepeats)) {
     return at_word(AlarmId::IllegalAddress, *word, fmt::format("{} is 0 to 9999", letter));
   }

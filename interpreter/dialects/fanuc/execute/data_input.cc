@@ -42,7 +42,7 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
   const double value = entered_value(control, words.sequence(), *r);
   Parameters parameters = control.parameters;
   if (p != nullptr) {
-    const auto given = integer_of(*p);
+    const auto given = integer_of(*p, control.profile);
     const auto axis = given ? control.controlled_axis(given.value() - 1) : std::nullopt;
     if (!axis) {
       return at_word(AlarmId::DataInputFormat, *p, "P is the number of an axis");
@@ -69,7 +69,7 @@ double number_of(const BlockWords& words, char letter) {
 MaybeFailure record_tool_life(Control& control, const BlockWords& words) {
   ToolLifeGroup& group = control.life_group;
   if (const EvaluatedWord* const p = words.find('P')) {
-    const auto number = integer_of(*p);
+    const auto number = integer_of(*p, control.profile);
     if (!number || number.value() < 1) {
       return at_word(AlarmId::DataInputFormat, *p, "P is the number of a group, from 1");
     }

@@ -30,9 +30,8 @@ Result<double, Failure> dwell_seconds(const Control& control, const EvaluatedWor
   if (is_dwell_in_seconds(p, control.profile)) {
     return p.number;
   }
-  const auto milliseconds = integer_of(p);
-  return milliseconds ? Result<double, Failure>(milliseconds.value() / 1000.0)
-                      : milliseconds.error();
+  return is_dwell_in_milliseconds(p) ? Result<double, Failure>(nearest_integer(p.number) / 1000.0)
+                                     : at_word(point_in(p), p);
 }
 
 /// G04: X or U in seconds, P in milliseconds, or as many turns of the spindle; without any of them

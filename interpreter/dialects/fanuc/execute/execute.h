@@ -155,11 +155,12 @@ MaybeFailure at_word(MaybeWrong wrong, const EvaluatedWord& word);
 
 /// A word whose value is an integer (M S T D H N O L P): a literal must have no point, a computed
 /// one is rounded (MB-025, MB-026).
-Result<int, Failure> integer_of(const EvaluatedWord& word);
+Result<int, Failure> integer_of(const EvaluatedWord& word, const Profile& profile);
 /// The same, where `limit` lets it stand: a function of word_limits.h.
 template <typename Limit>
-Result<int, Failure> integer_within(const EvaluatedWord& word, Limit limit) {
-  const auto number = integer_of(word);
+Result<int, Failure> integer_within(const EvaluatedWord& word, const Profile& profile,
+                                    Limit limit) {
+  const auto number = integer_of(word, profile);
   auto wrong = number ? limit(number.value()) : std::nullopt;
   return wrong ? at_word(*std::move(wrong), word) : number;
 }

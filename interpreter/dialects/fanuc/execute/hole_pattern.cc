@@ -1,7 +1,11 @@
-// G70, G71 and G72 of a Haas.  Source: Haas mill operator's manual 96-8000, bolt hole circle, bolt
-// hole arc and bolt holes along an angle: they need one of the canned cycles, in force or in their
-// own block; the tool stands at the centre, with G72 at the first hole, or X and Y bring it there.
+// G70, G71 and G72 of a Haas, G34, G35 and G36 of a MELDAS.  Sources: Haas mill operator's manual
+// 96-8000, bolt hole circle, bolt hole arc and bolt holes along an angle: they need one of the
+// canned cycles, in force or in their own block; the tool stands at the centre, with G72 at the
+// first hole, or X and Y bring it there.  M700V programming manual, special fixed cycles: the data
+// of the canned cycle come in a block of their own before it, with L0 where that is to drill no
+// hole.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,63 +17,100 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kCircle = 70;
-constexpr int kLine = 72;
 constexpr int kMostHoles = 9999;
+
+enum class Shape { Circle, Arc, Line };
+
+/// Which words of its block say what of a pattern; I is the radius, along a line from hole to hole,
+/// and J the angle of the first hole, or of the line.
+struct PatternCode {
+  CodeSet set;
+  int code;
+  Shape shape;
+  char count;             ///< how many holes
+  char step;              ///< from hole to hole of an arc
+  bool takes_cycle_data;  ///< Z, R, Q and P of the block are of the canned cycle
+  bool turns_clockwise;   ///< around a circle, where the number of holes is negative
+};
+
+constexpr PatternCode kPatternCodes[] = {
+    {CodeSet::Haas, 70, Shape::Circle, 'L', '\0', true, false},
+    {CodeSet::Haas, 71, Shape::Arc, 'L', 'K', true, false},
+    {CodeSet::Haas, 72, Shape::Line, 'L', '\0', true, false},
+    {CodeSet::Meldas, 34, Shape::Circle, 'K', '\0', false, true},
+    {CodeSet::Meldas, 35, Shape::Line, 'K', '\0', false, false},
+    {CodeSet::Meldas, 36, Shape::Arc, 'K', 'P', false, false},
+};
+
+const PatternCode& pattern_code(const GCode& code) {
+  const auto* const row = std::ranges::find_if(kPatternCodes, [&](const PatternCode& pattern) {
+    return pattern.set == code.set && pattern.code == code.number.whole;
+  });
+  return *row;  // each row of g_codes.def with this action has one here: hole_pattern_test
+}
 
 /// As the words of its block say.
 struct Pattern {
-  int code = kCircle;
-  double length_mm = 0.0;  ///< I: the radius, along a line from hole to hole
-  double angle_deg = 0.0;  ///< J
-  double step_deg = 0.0;   ///< from hole to hole; 0 along a line
-  int holes = 0;           ///< L
+  Shape shape = Shape::Circle;
+  double length_mm = 0.0;
+  double angle_deg = 0.0;
+  double step_deg = 0.0;  ///< from hole to hole; 0 along a line
+  int holes = 0;
 };
 
 /// Where a hole is from X Y of the block.
 Eigen::Vector2d place_of(const Pattern& pattern, int hole) {
   const double radians = (pattern.angle_deg + hole * pattern.step_deg) * std::numbers::pi / 180.0;
-  const double length = pattern.code == kLine ? hole * pattern.length_mm : pattern.length_mm;
+  const double length = pattern.shape == Shape::Line ? hole * pattern.length_mm : pattern.length_mm;
   return length * Eigen::Vector2d(std::cos(radians), std::sin(radians));
 }
 
-Result<int, Failure> holes_of(const NcBlock& block) {
-  const EvaluatedWord* const word = block.words.find('L');
+/// Below 0 where they go clockwise.
+Result<int, Failure> holes_of(const Control& control, const NcBlock& block,
+                              const PatternCode& code) {
+  const EvaluatedWord* const word = block.words.find(code.count);
   if (word == nullptr) {
-    return block_failure(AlarmId::IllegalAddress,
-                         fmt::format("{} needs L holes", to_text(block.code->number)));
+    return block_failure(AlarmId::NoHoles,
+                         fmt::format("{} needs {} holes", to_text(block.code->number), code.count));
   }
-  return integer_within(*word, [](int number) {
-    return number < 1 || number > kMostHoles
-               ? MaybeWrong(
-                     WrongValue{AlarmId::IllegalAddress, fmt::format("L is 1 to {}", kMostHoles)})
+  return integer_within(*word, control.profile, [&](int number) {
+    const int holes = code.turns_clockwise ? std::abs(number) : number;
+    return holes < 1 || holes > kMostHoles
+               ? MaybeWrong(WrongValue{AlarmId::NoHoles,
+                                       fmt::format("{} is 1 to {}", code.count, kMostHoles)})
                : std::nullopt;
   });
 }
 
-Result<Pattern, Failure> pattern_of(const Control& control, const NcBlock& block) {
+/// From hole to hole.
+double step_deg(const Control& control, const NcBlock& block, const PatternCode& code, int holes) {
   constexpr double kFullTurnDeg = 360.0;
-  const auto holes = holes_of(block);
+  if (code.shape == Shape::Circle) {
+    return kFullTurnDeg / holes;
+  }
+  const EvaluatedWord* const word =
+      code.shape == Shape::Arc ? block.words.find(code.step) : nullptr;
+  return word != nullptr ? control.scale.angle_deg(*word) : 0.0;
+}
+
+Result<Pattern, Failure> pattern_of(const Control& control, const NcBlock& block,
+                                    const PatternCode& code) {
+  const auto holes = holes_of(control, block, code);
   if (!holes) {
     return holes.error();
   }
-  Pattern pattern;
-  pattern.code = block.code->number.whole;
-  pattern.holes = holes.value();
   const EvaluatedWord* const i = block.words.find('I');
   if (i == nullptr) {
     return block_failure(AlarmId::IllegalAddress,
                          fmt::format("{} needs I", to_text(block.code->number)));
   }
-  pattern.length_mm = control.scale.length_mm(*i);
   const EvaluatedWord* const j = block.words.find('J');
-  const EvaluatedWord* const k = block.words.find('K');
+  Pattern pattern;
+  pattern.shape = code.shape;
+  pattern.length_mm = control.scale.length_mm(*i);
   pattern.angle_deg = j != nullptr ? control.scale.angle_deg(*j) : 0.0;
-  if (pattern.code == kCircle) {
-    pattern.step_deg = kFullTurnDeg / pattern.holes;
-  } else if (pattern.code != kLine && k != nullptr) {
-    pattern.step_deg = control.scale.angle_deg(*k);
-  }
+  pattern.step_deg = step_deg(control, block, code, holes.value());
+  pattern.holes = std::abs(holes.value());
   return pattern;
 }
 
@@ -80,12 +121,15 @@ MaybeFailure execute_hole_pattern(Control& control, const NcBlock& block) {
     return block_failure(AlarmId::ImproperGCode, fmt::format("{} without a canned cycle in force",
                                                              to_text(block.code->number)));
   }
-  const auto pattern = pattern_of(control, block);
+  const PatternCode& code = pattern_code(*block.code);
+  const auto pattern = pattern_of(control, block, code);
   if (!pattern) {
     return pattern.error();
   }
-  if (auto failure = take_cycle_data(control, block)) {
-    return failure;
+  if (code.takes_cycle_data) {
+    if (auto failure = take_cycle_data(control, block)) {
+      return failure;
+    }
   }
   const Plane plane = cycle_plane(control);
   const AxisPositions q_L_from = programmed_end(control, block);

@@ -66,10 +66,10 @@ Failure missing(source::DiagnosticId row, std::string what) {
 }
 
 /// P of G54.2 and G54.4; 0 ends them.
-Result<int, Failure> number_of_error(const NcBlock& block) {
+Result<int, Failure> number_of_error(const Control& control, const NcBlock& block) {
   const EvaluatedWord* const p = block.words.find('P');
   const auto limit = [&](int number) { return wrong_part_error(number, block.code->number); };
-  return p != nullptr ? integer_within(*p, limit) : Result<int, Failure>(1);
+  return p != nullptr ? integer_within(*p, control.profile, limit) : Result<int, Failure>(1);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
       return wrong_work_system(p_number, code, control.profile);
     };
     const auto number = is_numbered    ? Result<int, Failure>(code.whole - kFirstAdditional + 1)
-                        : p != nullptr ? integer_within(*p, limit)
+                        : p != nullptr ? integer_within(*p, control.profile, limit)
                                        : Result<int, Failure>(1);
     if (!number) {
       return number.error();
@@ -114,7 +114,7 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
 MaybeFailure select_tool_length(Control& control, NcBlock& block, const GCode* commanded) {
   const int code = control.modal.group[Group::ToolLength].whole;
   if (const EvaluatedWord* const h = block.words.find('H')) {
-    const auto number = integer_within(*h, [&control](int given) {
+    const auto number = integer_within(*h, control.profile, [&control](int given) {
       return wrong_length_offset(given, control.modal.group[Group::ToolLength]);
     });
     if (!number) {
@@ -245,7 +245,7 @@ std::optional<PartErrors::TableGroups> table_groups(const Control& control) {
 }  // namespace
 
 MaybeFailure execute_table_offset(Control& control, const NcBlock& block) {
-  const auto number = number_of_error(block);
+  const auto number = number_of_error(control, block);
   if (!number) {
     return number.error();
   }
@@ -263,7 +263,7 @@ MaybeFailure execute_table_offset(Control& control, const NcBlock& block) {
 }
 
 MaybeFailure execute_setting_error(Control& control, const NcBlock& block) {
-  const auto number = number_of_error(block);
+  const auto number = number_of_error(control, block);
   if (!number) {
     return number.error();
   }

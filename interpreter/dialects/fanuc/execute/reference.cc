@@ -15,7 +15,7 @@ double reference_point(const Control& control, int which, int axis) {
   return control.parameters.get_for_axis(ParameterId::ReferencePoint, which - 1, axis);
 }
 
-Result<int, Failure> which_reference(const NcBlock& block) {
+Result<int, Failure> which_reference(const Control& control, const NcBlock& block) {
   if (block.code->number.whole == 28) {
     return 1;
   }
@@ -23,7 +23,7 @@ Result<int, Failure> which_reference(const NcBlock& block) {
   if (p == nullptr) {
     return 2;
   }
-  return integer_within(*p, wrong_reference);
+  return integer_within(*p, control.profile, wrong_reference);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Result<int, Failure> which_reference(const NcBlock& block) {
 /// stays in force: FANUC 0i-MB manual B-63844EN/02, 14.1.2; M700V programming manual, 12.2 (4);
 /// Haas 96-8000, G28.
 MaybeFailure execute_reference(Control& control, const NcBlock& block) {
-  const auto which = which_reference(block);
+  const auto which = which_reference(control, block);
   if (!which) {
     return which.error();
   }

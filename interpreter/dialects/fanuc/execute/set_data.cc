@@ -20,8 +20,9 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   if (auto wrong = missing_offset_word(p != nullptr, r != nullptr)) {
     return block_failure(wrong->id, std::move(wrong->detail));
   }
-  const auto number = integer_within(
-      *p, [&](int given) { return wrong_data_number(form.l, given, control.profile); });
+  const auto number = integer_within(*p, control.profile, [&](int given) {
+    return wrong_data_number(form.l, given, control.profile);
+  });
   if (!number) {
     return number.error();
   }
@@ -52,7 +53,7 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   const EvaluatedWord* const p = block.words.find('P');
   const auto number =
       p != nullptr
-          ? integer_within(*p,
+          ? integer_within(*p, control.profile,
                            [&](int given) { return wrong_data_number(l, given, control.profile); })
           : Result<int, Failure>(usual_system(control, l));
   if (!number) {
@@ -80,7 +81,7 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
 /// the rotary axes at which that was found.
 MaybeFailure set_table_offset(Control& control, const NcBlock& block) {
   const EvaluatedWord* const p = block.words.find('P');
-  const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(0);
+  const auto number = p != nullptr ? integer_of(*p, control.profile) : Result<int, Failure>(0);
   if (!number) {
     return number.error();
   }
@@ -107,7 +108,7 @@ MaybeFailure set_table_offset(Control& control, const NcBlock& block) {
 MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   control.use_measured();
   const EvaluatedWord* const word = block.words.find('L');
-  const auto l = word != nullptr ? integer_of(*word)
+  const auto l = word != nullptr ? integer_of(*word, control.profile)
                                  : Result<int, Failure>(usual_data(block.words, control.profile));
   if (!l) {
     return l.error();

@@ -82,8 +82,8 @@ Result<SkipKind, Failure> skip_kind(Control& control, const NcBlock& block) {
     return SkipKind();
   }
   const SkipSelection selection = control.profile.skip_selection;
-  const auto number =
-      integer_within(*p, [selection](int given) { return wrong_skip(given, selection); });
+  const auto number = integer_within(
+      *p, control.profile, [selection](int given) { return wrong_skip(given, selection); });
   if (!number) {
     return number.error();
   }

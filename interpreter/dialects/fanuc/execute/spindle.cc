@@ -93,7 +93,7 @@ MaybeFailure take_lowest_speed(Control& control, const BlockWords& words) {
   if (word == nullptr) {
     return std::nullopt;
   }
-  const auto number = integer_within(*word, [letter](int speed) {
+  const auto number = integer_within(*word, control.profile, [letter](int speed) {
     return speed < 0 ? MaybeWrong(WrongValue{AlarmId::IllegalMinus,
                                              fmt::format("{} counts from 0", letter)})
                      : std::nullopt;
@@ -114,7 +114,7 @@ MaybeFailure take_surface_axis(Control& control, const BlockWords& words) {
                       fmt::format("P of G96 counts where parameter {} is not 0",
                                   info(control.profile.surface_axis).first));
   } else if (p != nullptr) {
-    const auto given = integer_of(*p);
+    const auto given = integer_of(*p, control.profile);
     if (!given) {
       return given.error();
     }

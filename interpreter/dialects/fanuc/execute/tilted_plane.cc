@@ -66,9 +66,10 @@ Plane3 placed(const Point& origin, const Eigen::Matrix3d& turn) {
 }
 
 /// The number of a word that may be left out.
-Result<int, Failure> number_of(const BlockWords& words, char letter, int otherwise) {
+Result<int, Failure> number_of(const Control& control, const BlockWords& words, char letter,
+                               int otherwise) {
   const EvaluatedWord* const word = words.find(letter);
-  return word != nullptr ? integer_of(*word) : Result<int, Failure>(otherwise);
+  return word != nullptr ? integer_of(*word, control.profile) : Result<int, Failure>(otherwise);
 }
 
 /// P4: I is the angle of the plane's X in the old ZX plane, J that of the line in the old YZ plane,
@@ -83,8 +84,9 @@ MaybePlane by_projections(const Control& control, const BlockWords& words) {
 }
 
 /// The axes, 0 to 2, that three digits name.
-Result<std::array<int, 3>, Failure> axes_of_order(const BlockWords& words, int usual) {
-  const auto order = number_of(words, 'Q', usual);
+Result<std::array<int, 3>, Failure> axes_of_order(const Control& control, const BlockWords& words,
+                                                  int usual) {
+  const auto order = number_of(control, words, 'Q', usual);
   if (!order) {
     return order.error();
   }
@@ -106,7 +108,7 @@ Result<std::array<int, 3>, Failure> axes_of_order(const BlockWords& words, int u
 /// P0: I about Z, J about the new X, K about the new Z; Q names other axes.
 MaybePlane by_euler_angles(const Control& control, const BlockWords& words) {
   constexpr int kUsualOrder = 313;
-  const auto axes = axes_of_order(words, kUsualOrder);
+  const auto axes = axes_of_order(control, words, kUsualOrder);
   if (!axes) {
     return axes.error();
   }
@@ -123,7 +125,7 @@ MaybePlane by_euler_angles(const Control& control, const BlockWords& words) {
 /// P1: roll I about X, pitch J about Y, yaw K about Z of the work system, in the order of Q.
 MaybePlane by_roll_pitch_yaw(const Control& control, const BlockWords& words) {
   constexpr int kUsualOrder = 123;
-  const auto axes = axes_of_order(words, kUsualOrder);
+  const auto axes = axes_of_order(control, words, kUsualOrder);
   if (!axes) {
     return axes.error();
   }
@@ -172,7 +174,7 @@ MaybePlane by_vectors(const PlanePoints& given) {
 /// A block of P2 or P3.  @returns the plane, once all of it has come
 Result<std::optional<Plane3>, Failure> take_point(Control& control, const BlockWords& words,
                                                   int form) {
-  const auto q = number_of(words, 'Q', 0);
+  const auto q = number_of(control, words, 'Q', 0);
   if (!q) {
     return q.error();
   }
@@ -230,7 +232,7 @@ MaybePlane along_tool(const Control& control, const BlockWords& words) {
 
 /// What G68.2 and G68.4 say; none: P2 and P3 go on in the next block.
 Result<std::optional<Plane3>, Failure> described(Control& control, const NcBlock& block) {
-  const auto form = number_of(block.words, 'P', 0);
+  const auto form = number_of(control, block.words, 'P', 0);
   if (!form) {
     return form.error();
   }

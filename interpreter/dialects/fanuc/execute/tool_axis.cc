@@ -37,12 +37,12 @@ double component(const Control& control, const BlockWords& words, char letter) {
 /// Which sign of the first rotary axis P of G53.1 asks for.
 enum class FirstAxis { Either, Positive, Negative };
 
-Result<FirstAxis, Failure> wanted_sign(const NcBlock& block) {
+Result<FirstAxis, Failure> wanted_sign(const Control& control, const NcBlock& block) {
   const EvaluatedWord* const p = block.words.find('P');
   if (p == nullptr) {
     return FirstAxis::Either;
   }
-  const auto number = integer_of(*p);
+  const auto number = integer_of(*p, control.profile);
   if (!number) {
     return number.error();
   }
@@ -116,7 +116,7 @@ MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block) {
     return block_failure(AlarmId::NoTiltedPlane,
                          fmt::format("{} without a tilted plane", to_text(block.code->number)));
   }
-  const auto sign = wanted_sign(block);
+  const auto sign = wanted_sign(control, block);
   if (!sign) {
     return sign.error();
   }

@@ -15,7 +15,7 @@ void apply(Control& control) {
 
 /// P, I, J, K of G51.
 Result<double, Failure> given_factor(const Control& control, const EvaluatedWord& word) {
-  return is_scale_factor(word, control.profile) || is_integer(word)
+  return is_scale_factor(word, control.profile) || is_integer(word, control.profile)
              ? Result<double, Failure>(scale_factor(word, control.profile))
              : at_word(point_in(word), word);
 }

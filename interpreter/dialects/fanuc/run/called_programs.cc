@@ -22,7 +22,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWo
     return named != nullptr ? Result<const CompiledProgram*, Failure>(named)
                             : at_word(AlarmId::CalledNameNotFound, p, missing_program(key));
   }
-  const auto number = integer_of(p);
+  const auto number = integer_of(p, control_.profile);
   if (!number) {
     return number.error();
   }
@@ -53,9 +53,9 @@ Result<const CompiledProgram*, Failure> CalledPrograms::called_by(const Evaluate
                              number, code.letter, code.number));
 }
 
-Result<int, Failure> repeats_of(const BlockWords& words) {
+Result<int, Failure> repeats_of(const BlockWords& words, const Profile& profile) {
   const EvaluatedWord* const l = words.find('L');
-  return l != nullptr ? integer_within(*l, wrong_repeats) : Result<int, Failure>(1);
+  return l != nullptr ? integer_within(*l, profile, wrong_repeats) : Result<int, Failure>(1);
 }
 
 }  // namespace g31::fanuc

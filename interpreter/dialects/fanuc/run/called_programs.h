@@ -31,6 +31,6 @@ class CalledPrograms {
 };
 
 /// L: how often.
-Result<int, Failure> repeats_of(const BlockWords& words);
+Result<int, Failure> repeats_of(const BlockWords& words, const Profile& profile);
 
 }  // namespace g31::fanuc

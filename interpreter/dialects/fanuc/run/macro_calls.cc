@@ -43,7 +43,7 @@ MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
   if (!program) {
     return program.error();
   }
-  const auto times = repeats_of(words_);
+  const auto times = repeats_of(words_, control_.profile);
   if (!times) {
     return times.error();
   }
@@ -74,7 +74,7 @@ MaybeFailure MacroCalls::call_by_code(const EvaluatedWord& code, int program_num
   if (!program) {
     return program.error();
   }
-  const auto times = repeats_of(words_);
+  const auto times = repeats_of(words_, control_.profile);
   if (!times) {
     return times.error();
   }
@@ -98,7 +98,7 @@ MaybeFailure MacroCalls::set_modal(const EvaluatedWord& code) {
     return at_word(AlarmId::CallWithoutProgram, code, "G66 without P");
   }
   const auto program = programs_.called(*p, *frame().program);
-  const auto times = repeats_of(words_);
+  const auto times = repeats_of(words_, control_.profile);
   if (!program || !times) {
     return program ? times.error() : program.error();
   }

@@ -147,7 +147,7 @@ MaybeFailure NcBlocks::ask_for_key(source::Location where) {
   if (p == nullptr) {
     return block_failure(AlarmId::NoDataAfterAddress, "M109 needs P, the variable for the key");
   }
-  const auto number = integer_within(*p, wrong_key_variable);
+  const auto number = integer_within(*p, control_.profile, wrong_key_variable);
   if (!number) {
     return number.error();
   }

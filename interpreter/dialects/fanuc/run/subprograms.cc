@@ -26,7 +26,7 @@ bool Subprograms::calls_external(int m) const {
 Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
   const EvaluatedWord* const p = words_.find('P');
   const EvaluatedWord* const q = words_.find(control_.profile.start_letter);
-  const auto times = repeats_of(words_);
+  const auto times = repeats_of(words_, control_.profile);
   if (!times) {
     return times.error();
   }
@@ -50,7 +50,7 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
     }
   }
   if (q != nullptr) {
-    const auto sequence = integer_of(*q);
+    const auto sequence = integer_of(*q, control_.profile);
     if (!sequence) {
       return sequence.error();
     }
@@ -65,7 +65,7 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
 
 /// P: a number, which the count may stand before.
 MaybeFailure Subprograms::count_in(const EvaluatedWord& p, Entry& entry) {
-  const auto number = integer_of(p);
+  const auto number = integer_of(p, control_.profile);
   if (!number) {
     return number.error();
   }
@@ -120,7 +120,7 @@ MaybeFailure Subprograms::call(const EvaluatedWord& m) {
 
 MaybeFailure Subprograms::call_local(const EvaluatedWord& m) {
   const EvaluatedWord* const p = words_.find('P');
-  const auto times = repeats_of(words_);
+  const auto times = repeats_of(words_, control_.profile);
   if (p == nullptr || !times) {
     return p == nullptr ? MaybeFailure(at_word(AlarmId::CallWithoutProgram, m, "M97 without P"))
                         : MaybeFailure(times.error());
@@ -128,7 +128,7 @@ MaybeFailure Subprograms::call_local(const EvaluatedWord& m) {
   if (auto failure = jumps_.keep_whole(frame())) {
     return failure;
   }
-  const auto sequence = integer_of(*p);
+  const auto sequence = integer_of(*p, control_.profile);
   if (!sequence) {
     return sequence.error();
   }
@@ -151,8 +151,8 @@ MaybeFailure Subprograms::jump_by_input(const EvaluatedWord& m) {
   if (p == nullptr || q == nullptr) {
     return at_word(AlarmId::NoDataAfterAddress, m, "M96 needs P, a block, and Q, an input");
   }
-  const auto sequence = integer_of(*p);
-  const auto input = integer_of(*q);
+  const auto sequence = integer_of(*p, control_.profile);
+  const auto input = integer_of(*q, control_.profile);
   if (!sequence || !input) {
     return sequence ? input.error() : sequence.error();
   }
@@ -171,7 +171,7 @@ MaybeFailure Subprograms::return_from(const BlockWords& words) {
   const EvaluatedWord* const p = words.find('P');
   Frame& now = frame();
   if (words.has('L')) {
-    const auto left = repeats_of(words);
+    const auto left = repeats_of(words, control_.profile);
     if (!left) {
       return left.error();
     }
@@ -205,7 +205,7 @@ MaybeFailure Subprograms::return_from(const BlockWords& words) {
 
 /// A level goes on at the block that P names.
 MaybeFailure Subprograms::go_to(Frame& level, const EvaluatedWord& p) {
-  const auto sequence = integer_of(p);
+  const auto sequence = integer_of(p, control_.profile);
   if (!sequence) {
     return sequence.error();
   }

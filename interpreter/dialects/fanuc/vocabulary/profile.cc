@@ -153,7 +153,7 @@ constexpr Profile meldas() {
   profile.has_synchronous_taps = true;
   profile.shifts_by_distances = true;
   profile.skip_takes_r = true;             // M700V programming manual, skip function
-  profile.whole_with_point = "ST";         // M700V programming manual, decimal point input
+  profile.whole_with_point = "STDHLP";     // M700V programming manual, decimal point input, page 28
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;

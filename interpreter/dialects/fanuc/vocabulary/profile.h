@@ -235,7 +235,8 @@ struct Profile {
 
   bool helix_counts_turns = false;  ///< P of G02 and G03 beside a third axis: whole turns
 
-  std::string_view whole_with_point;  ///< letters of S and T whose whole numbers may have a point
+  std::string_view whole_with_point;  ///< letters whose whole numbers may have a point, where they
+                                      ///< count something
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 
   // Offsets and canned cycles
