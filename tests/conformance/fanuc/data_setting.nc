@@ -263,3 +263,31 @@ G90 G10 L2 P1 X5. F100 M08
 M30
 %
 (EXPECT #100 = 5)
+
+(CASE MELDAS has a number of its own for each: no such data)
+(SOURCE M700V programming manual, page 237, program errors)
+(CONTROL meldas)
+%
+O1
+G10 L99 P1 R5.
+M30
+%
+(EXPECT ALARM 172 AT 5)
+
+(CASE no such offset)
+(CONTROL meldas)
+%
+O1
+G10 L10 P9999 R5.
+M30
+%
+(EXPECT ALARM 170 AT 4)
+
+(CASE no such work system)
+(CONTROL meldas)
+%
+O1
+G10 L2 P9 X5.
+M30
+%
+(EXPECT ALARM 173 AT 4)

@@ -66,9 +66,10 @@ MaybeWrong missing_offset_word(bool has_p, bool has_r) {
 MaybeWrong wrong_data_number(int l, int p, const Profile& profile) {
   const int least = l == 2 ? 0 : 1;
   const int most = l == 2 ? kWorkSystems : l == 20 ? profile.additional_systems : kToolOffsets;
-  return p < least || p > most ? MaybeWrong(WrongValue{AlarmId::IllegalPInG10,
-                                                       fmt::format("P is {} to {}", least, most)})
-                               : std::nullopt;
+  const AlarmId id = sets_work_offset(l) ? AlarmId::IllegalPInG10 : AlarmId::IllegalOffsetInG10;
+  return p < least || p > most
+             ? MaybeWrong(WrongValue{id, fmt::format("P is {} to {}", least, most)})
+             : std::nullopt;
 }
 
 }  // namespace g31::fanuc

@@ -135,7 +135,7 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   }
   const OffsetForm* const form = find_offset_form(l.value(), control.offsets.memory());
   return form != nullptr ? set_tool_offset(control, block, *form)
-                         : at_word(AlarmId::DataInputFormat, *word,
+                         : at_word(AlarmId::UnknownDataInG10, *word,
                                    fmt::format("G10 has no L{} here", l.value()));
 }
 
