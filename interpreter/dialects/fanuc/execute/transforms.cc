@@ -166,6 +166,7 @@ std::optional<EvaluatedWord> word_before_rotation(Control& control, const BlockW
   const bool moves = codes.frame == nullptr && codes.work_offset == nullptr &&
                      (codes.one_shot == nullptr || codes.one_shot->action == GAction::Skip);
   const Plane& plane = control.transforms.rotation->plane;
+  const bool counts_on = control.modal.incremental() && !control.polar;
   std::optional<int> omitted;
   int named = 0;
   for (const int axis : {plane.first, plane.second}) {
@@ -173,14 +174,13 @@ std::optional<EvaluatedWord> word_before_rotation(Control& control, const BlockW
     if (word == nullptr) {
       omitted = axis;
     } else if (q_L) {
-      (*q_L)[axis] += axis_value(control, *word, static_cast<std::size_t>(axis));
+      (*q_L)[axis] += counts_on ? axis_value(control, *word, static_cast<std::size_t>(axis)) : 0.0;
       ++named;
     }
   }
   if (!moves || named == 0) {
     return std::nullopt;
   }
-  const bool counts_on = control.modal.incremental() && !control.polar;
   control.coordinates.set_unturned(counts_on ? q_L : std::nullopt);
   if (control.modal.incremental() || control.polar || !omitted) {
     return std::nullopt;
