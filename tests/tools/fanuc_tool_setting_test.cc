@@ -210,6 +210,13 @@ TEST(FanucToolSetting, WhatGoesWrongWritesNothing) {
       {"length unknown", kPlate, calibrate + "T1 M6\n#11001=0\nG65 P9853 H1 D1\n", 3175},
       {"half an offset number", kPlate, calibrate + "T1 M6\nG65 P9852 H1.5\n", 3182},
       {"half an offset number", kPlate, calibrate + "T1 M6\nG65 P9853 H1 D1.5\n", 3182},
+      {"an offset that there is not", kPlate, calibrate + "T1 M6\nG65 P9852 H1001.\n", 3182},
+      {"offset 0", kPlate, calibrate + "T1 M6\nG65 P9852 H0\n", 3182},
+      {"an offset that there is not", kPlate, calibrate + "T1 M6\nG65 P9853 H1 D1001.\n", 3182},
+      {"an offset that there is not", kPlate, calibrate + "T1 M6\nG65 P9854 H-1 D1\n", 3182},
+      {"an offset that there is not", kPlate, calibrate + "T1 M6\nG65 P9855 H1000\n", 3182},
+      {"scaling", kPlate, calibrate + "T1 M6\nG51 X0 Y0 Z0 P4000\nG65 P9853 H1 D1\n", 3178},
+      {"a mirror image of Z", kPlate, calibrate + "T1 M6\nG51.1 Z0\nG65 P9853 H1 D1\n", 3178},
       {"a rotation", kPlate, calibrate + "T1 M6\nG68 X0 Y0 R90.\nG65 P9854 H1 D1\n", 3178},
       {"a mirror image", kPlate, calibrate + "T1 M6\nG51.1 X0\nG65 P9853 H1 D1\n", 3178},
       {"scaling", kPlate, calibrate + "T1 M6\nG51 X0 Y0 Z0 P2000\nG65 P9852 H1\n", 3178},
@@ -275,6 +282,18 @@ TEST(FanucToolSetting, ALaserMeasuresStandingAndTurningTools) {
     EXPECT_EQ(turning.exit_code(), 0) << turning.errors();
     expect_value(turning, "#11002", 120.25, kWayOfATurn);
     expect_value(turning, "#13002", 10.25, kWayOfATurn);
+  }
+}
+
+TEST(FanucToolSetting, TheBeamHasToMeetTheSideOfTheTool) {
+  const std::string calibrate = "T90 M6\nG65 P9856 X200. Y-100. Z-399. K105. D10.\n";
+  const Shop shallow(kLaser, calibrate + "T1 M6\nG65 P9857 H1 D1 Q1. Z3\n");
+  EXPECT_EQ(shallow.alarm(), 3182) << shallow.errors();
+  expect_value(shallow, "#13001", 8.2, 0.0);
+  for (const char* depth : {"Z4.1237", "Z2.5005", "Z3.33333"}) {
+    const Shop shop(kLaser, calibrate + "T1 M6\nG65 P9857 H1 D1 Q1. " + depth + "\n");
+    EXPECT_EQ(shop.exit_code(), 0) << depth << shop.errors();
+    expect_value(shop, "#13001", 8.0);
   }
 }
 

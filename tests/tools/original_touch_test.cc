@@ -36,8 +36,9 @@ class RandomTouches {
   double sign() { return random_() % 2U == 0U ? 1.0 : -1.0; }
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
 
-  /// A touch of the ring from its centre, or of its top face.  Up to V = 10 U both macros draw back
-  /// the same way; beyond, the original's is too long for the ring.
+  /// A touch of the ring from its centre, or of its top face.  Where U is longest, or 0, both
+  /// macros draw back the same way; elsewhere the original's is longer, and may be too long for the
+  /// ring.
   std::string call(int row) {
     const std::string end = fmt::format(" R5. Z{:.3f} A{}.", between(-11.0, -8.0), row);
     const double way = sign() * between(30.0, 60.0);
@@ -55,7 +56,7 @@ class RandomTouches {
       case 3: {
         const double u = sign() * between(18.0, 24.0);
         return at_centre() +
-               fmt::format("G100 U{:.4f} V{:.4f}", u, u * sign() * between(1.0, 5.0)) + end;
+               fmt::format("G100 U{:.4f} V{:.4f}", u, u * sign() * between(0.0, 1.0)) + end;
       }
       default:
         return fmt::format("X{:.3f} Y{:.3f}\nG100 W{:.4f} R8. Z{:.3f} A{}.", between(28.0, 32.0),

@@ -56,7 +56,7 @@ TEST_F(PlanProof, OfAPartThatIsNotMeasuredTellsWhy) {
   const CommandOutput output =
       plan({testing::kInspected, "--stock", "box", "--as-machined", block});
   EXPECT_EQ(output.exit_code, 1) << output.errors;
-  EXPECT_NE(output.errors.find("SOMETHING IS IN THE WAY"), std::string::npos) << output.errors;
+  EXPECT_NE(output.errors.find("IN THE WAY TO P1"), std::string::npos) << output.errors;
   EXPECT_NE(output.out.find("0 of 29 good, 0 bad, 29 missing"), std::string::npos) << output.out;
 }
 

@@ -40,7 +40,7 @@ cli::RunOptions on_ring(const std::string& program, std::vector<std::string> mor
   options.programs = {program};
   options.setups = {kRing};
   options.setups.insert(options.setups.end(), more_sheets.begin(), more_sheets.end());
-  options.prints = {"#517,#518,#160,#161,#164,#177,#178,#179,#190"};
+  options.prints = {"#517,#518,#160,#161,#164,#175,#177,#178,#179,#190"};
   return options;
 }
 
@@ -224,6 +224,10 @@ TEST(RingGauge, ATouchThatDoesNotComeStoresNothing) {
   const Case kCases[] = {
       {"nothing there", "X60.\nG100 U50. R5. Z-7.5 A1.\n", 3166},
       {"the way ends before the wall", "G100 U9. R5. Z-7.5 A1.\n", 3166},
+      {"the way loses digits", "G100 U8.0005 R5. Z-7.5 A1.\n", 3166},
+      {"two lose them", "G100 U[9.*COS[41.96]] V[9.*SIN[41.96]] R5. Z-7.5 A1.\n", 3166},
+      {"the way is longer than it says", "G51 X0 Y0 Z0 P2000\nG65 P9010 U3.5 R2.5 Z-3.75 A1.\n",
+       3168},
       {"U and V polar", "G16\nG100 U50. R5. Z-7.5 A1.\n", 3168},
       {"the rim of the bore in the way down", "X20.5\nG100 U50. R5. Z-7.5 A1.\n", 3167},
   };
@@ -233,6 +237,20 @@ TEST(RingGauge, ATouchThatDoesNotComeStoresNothing) {
     EXPECT_EQ(output.exit_code, 3) << output.errors;
     EXPECT_EQ(output.document.at("alarm").at("number"), c.alarm);
     EXPECT_TRUE(output.document.at("variables").at("#160").is_null());
+  }
+}
+
+/// MELDAS shows G16 as #4018.
+TEST(RingGauge, PolarCoordinatesAreSeenOnEveryControl) {
+  TemporaryFolder folder;
+  const auto program = folder.write(
+      "polar.nc", "O7\nG59 G90 G00 X0 Y0\nG43 Z20. H99\nG16\nG65 P9010 U50. R5. Z-7.5 A1.\nM30\n");
+  for (const char* control : {"fanuc-16i", "fanuc-30i", "meldas", "mazatrol-iso", "brother"}) {
+    cli::RunOptions options = on_ring(program);
+    options.control = control;
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, 3) << control << output.errors;
+    EXPECT_TRUE(output.document.at("variables").at("#160").is_null()) << control;
   }
 }
 
@@ -250,6 +268,21 @@ TEST(RingGauge, WithoutTheRingNothingIsCalibrated) {
     EXPECT_EQ(output.document.at("alarm").at("number"), 3166);
     EXPECT_EQ(output.document.at("variables").at(variable), 0.0);
   }
+}
+
+TEST(RingGauge, TheWayDownLosesDigits) {
+  const RunOutput output = touched("G100 U50. R5. Z-7.0005 A1.\n");
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(variable(output, "#160"), 19.998, 1e-6);
+}
+
+/// Half way down the bore, whose wall is 19.998 mm from the middle.
+TEST(RingGauge, ATouchThatIsNotSquareGoesBackAShortWay) {
+  const RunOutput output = touched("G65 P9010 U2.8 V-23. R5. Z-7.5 A1.\n");
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const double length = std::hypot(2.8, 23.0);
+  EXPECT_NEAR(variable(output, "#160"), 19.998 * 2.8 / length, 1e-3);
+  EXPECT_NEAR(variable(output, "#175"), -19.998 * 23.0 / length, 1e-3);
 }
 
 TEST(RingGauge, ASteepMoveGoesBackAlongItself) {

@@ -48,7 +48,7 @@ class FanucWriter final : public ProgramWriter {
     if (options().tool) {
       line("T{} M06", *options().tool);
     }
-    line("G90 G17 G40 G80{}", options().has_metric_code ? " G21" : "");
+    line("G90 G94 G17 G40 G69 G80{}", options().has_metric_code ? " G21" : "");
     line("G54");
     write_switch_on();
     line("M05");
@@ -87,7 +87,7 @@ class FanucWriter final : public ProgramWriter {
     line("G31 Z{} {}", z, kFanucWords.ways_feed);
     line("IF [ABS[{}{}] LT {}] GOTO {}", kFanucWords.skip[kZ], less(z), kNearlyThereMm,
          10 * point - 1);
-    line("#3000= 102 (SOMETHING IS IN THE WAY TO P{})", point);
+    line("#3000= 102 (IN THE WAY TO P{})", point);
     line("N{}", 10 * point - 1);
   }
 
