@@ -15,6 +15,7 @@ using fanuc::EvaluatedWord;
 using fanuc::GAction;
 
 constexpr std::string_view kLengths = "IJKRUVWXYZ";
+constexpr std::string_view kDirections = "IJK";
 
 bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
@@ -63,7 +64,9 @@ class Reader {
     if (action_ == GAction::Dwell) {
       return is_in("UX", letter) ? std::optional(Counts{1000.0, 1000.0, 0.1}) : std::nullopt;
     }
-    if (letter == 'R' && action_ == GAction::Rotation) {
+    const bool is_plane = action_ == GAction::TiltedPlane;
+    if ((letter == 'R' && (is_plane || action_ == GAction::Rotation)) ||
+        (is_plane && is_in(kDirections, letter))) {
       return angle;
     }
     if (letter == 'R' && action_ == GAction::Skip && profile_.skip_takes_r) {
@@ -86,9 +89,8 @@ class Reader {
 
  private:
   [[nodiscard]] bool takes_lengths() const {
-    return action_ != GAction::Scaling && action_ != GAction::TiltedPlane &&
-           action_ != GAction::Unsimulated && action_ != GAction::Refused &&
-           action_ != GAction::Dwell;
+    return action_ != GAction::Scaling && action_ != GAction::Unsimulated &&
+           action_ != GAction::Refused && action_ != GAction::Dwell;
   }
 
   const PointedBlock& block_;
@@ -104,6 +106,19 @@ bool may_repeat(const fanuc::BlockWords& words) {
     return word.letter == 'G' && (word.number == 2.0 || word.number == 3.0);
   };
   return !words.has_any(fanuc::letters_of("IJ")) && std::ranges::none_of(words.all(), is_arc);
+}
+
+/// Whether I, J and K are a direction, and written alike: what they count makes no difference.
+bool are_one_direction(const fanuc::BlockWords& words, const fanuc::GCode* acting) {
+  constexpr double kVectors = 3.0;
+  const EvaluatedWord* const p = words.find('P');
+  const bool is_direction =
+      acting != nullptr &&
+      (acting->action == GAction::Rotation ||
+       (acting->action == GAction::TiltedPlane && p != nullptr && p->number == kVectors));
+  return is_direction && std::ranges::none_of(words.all(), [](const EvaluatedWord& word) {
+           return is_in(kDirections, word.letter) && word.form != syntax::ValueForm::Integer;
+         });
 }
 
 bool has_inches(const fanuc::Profile& profile) {
@@ -128,10 +143,13 @@ std::vector<LostPoint> lost_points(const fanuc::BlockWords& words, const Pointed
     return found;
   }
   const Reader reader(block, profile, reading);
+  const bool is_direction = are_one_direction(words, block.acting);
   for (const EvaluatedWord& word : words.all()) {
     const bool is_whole = word.form == syntax::ValueForm::Integer && word.number != 0.0;
     const bool is_count = word.letter == 'K' && !block.calls && may_repeat(words);
-    const auto counts = is_whole && !is_count ? reader.counts(word.letter) : std::nullopt;
+    const bool is_of_direction = is_direction && is_in(kDirections, word.letter);
+    const auto counts =
+        is_whole && !is_count && !is_of_direction ? reader.counts(word.letter) : std::nullopt;
     if (counts && std::abs(word.number) / counts->per_unit < counts->least) {
       const std::string written =
           fmt::format("{}{}", syntax::letter_text(word.letter), word.number);

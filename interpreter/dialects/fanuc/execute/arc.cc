@@ -233,6 +233,9 @@ MaybeFailure refused_arc(const Control& control, const NcBlock& block, const Pla
 MaybeFailure refuse_turning_arc(const Control& control, const AxisPositions& q_L_end) {
   constexpr double kSameDirection = 1e-9;
   const Coordinates& coordinates = control.coordinates;
+  if (coordinates.tilts_unled(control.modal.plane().across)) {
+    return block_failure(AlarmId::ImproperCommand, fmt::format("an arc {}", kTiltedBySettingError));
+  }
   if (!coordinates.leader()) {
     return std::nullopt;
   }

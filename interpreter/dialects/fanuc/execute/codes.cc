@@ -101,6 +101,18 @@ struct Leaders {
   bool has_plane = false;
 };
 
+/// A code that ends or leaves a tilted plane while cutter compensation reckons in its coordinates.
+MaybeFailure refuse_while_compensating(const Control& control, const EvaluatedWord& word,
+                                       const GCode& code) {
+  const bool is_off = control.modal.group[Group::CutterCompensation].whole == 40;
+  return code.action == GAction::RotationOff && control.coordinates.plane() &&
+                 (!is_off || control.cutter.compensation.engaged())
+             ? MaybeFailure(
+                   at_word(AlarmId::NotInCompensation, word,
+                           fmt::format("{} of a tilted plane in G41 or G42", to_text(code.number))))
+             : std::nullopt;
+}
+
 /// A code that has no place in a tilted plane, or under tool centre point control.
 MaybeFailure refuse_when_led(Leaders leaders, const EvaluatedWord& word, const GCode& code) {
   const bool holds_tip = leaders.holds_tip;
@@ -131,6 +143,14 @@ MaybeFailure refuse_when_led(Leaders leaders, const EvaluatedWord& word, const G
     }
     if (auto failure = refuse_when_led(leaders, word, *code)) {
       return failure;
+    }
+    const bool is_other = code->group == Group::OneShot && !leaves_words(code->action);
+    if (leaders.has_plane && is_other) {
+      return at_word(
+          AlarmId::TiltedPlaneNotAllowed, word,
+          fmt::format("{} beside a tilted plane, whose words it would take: write it into "
+                      "the next block",
+                      to_text(code->number)));
     }
     if (leaders.has_plane && is_frame(code->action) && code->action != GAction::TiltedPlane) {
       return at_word(AlarmId::NotInTiltedPlane, word,
@@ -184,6 +204,9 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
     const Leaders leaders{control.coordinates.tip_system() != TipSystem::None,
                           control.coordinates.plane().has_value()};
     if (auto failure = refuse_when_led(leaders, word, *code)) {
+      return failure;
+    }
+    if (auto failure = refuse_while_compensating(control, word, *code)) {
       return failure;
     }
   }

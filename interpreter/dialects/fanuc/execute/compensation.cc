@@ -16,11 +16,11 @@ using namespace path;
 using State = CompensationCommand::State;
 
 /// Codes whose moves are no part of a path to be compensated.
-constexpr GAction kNeedCancel[] = {GAction::CheckReference, GAction::ToReference,
-                                   GAction::FromReference,  GAction::MachineMove,
-                                   GAction::MeasureTool,    GAction::MeasureDiameter,
-                                   GAction::MeasureWork,    GAction::MeasureCentre,
-                                   GAction::Skip,           GAction::Scaling};
+constexpr GAction kNeedCancel[] = {
+    GAction::CheckReference, GAction::ToReference,   GAction::FromReference,
+    GAction::MachineMove,    GAction::MeasureTool,   GAction::MeasureDiameter,
+    GAction::MeasureWork,    GAction::MeasureCentre, GAction::Skip,
+    GAction::Scaling,        GAction::ToolToPlane,   GAction::SettingError};
 
 CompensationRules rules_of(const Control& control) {
   CompensationRules rules;
@@ -195,6 +195,10 @@ MaybeFailure command_compensation(Control& control, const NcBlock& block) {
   CompensationCommand command;
   command.state = code != 40 && control.modal.word('D') != 0.0 ? State::On : State::Off;
   command.plane = offset_plane(control);
+  if (command.state == State::On && control.coordinates.tilts_unled(control.modal.plane().across)) {
+    return block_failure(AlarmId::NotInCompensation,
+                         fmt::format("G41 or G42 {}", kTiltedBySettingError));
+  }
   // A mirrored path has its part on the other side.
   const bool mirrored = control.coordinates.transform().reverses_turns(control.modal.plane());
   command.offset = (code == 42) != mirrored ? -radius.value() : radius.value();
@@ -239,6 +243,7 @@ MaybeFailure travel(Control& control, const PathBlock& block) {
   }
   PathBlock waiting = block;
   waiting.calls = control.outlet.calls_now();
+  waiting.leads = control.coordinates.leader();  // an offset may be another one when it goes
   return has_corner ? past_corner(control, waiting) : compensate(control, waiting, cutter.command);
 }
 

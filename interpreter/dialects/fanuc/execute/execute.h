@@ -84,6 +84,8 @@ void cancel_rotation(Control& control);  // G69; transforms.cc
 /// nullopt: it stays where it is (transforms.cc).  @pre G68 is in force
 std::optional<EvaluatedWord> word_before_rotation(Control& control, const BlockWords& words,
                                                   const Codes& codes);
+/// G68 with I J K (tilted_plane.cc).
+MaybeFailure rotate_in_space(Control& control, const NcBlock& block);
 /// Points and vectors of G68.2 P2 and P3 stand in blocks that follow each other (tilted_plane.cc).
 MaybeFailure refuse_unfinished_plane(const Control& control, const Codes& codes);
 /// G43.4 and G43.5 begin, or another code of their group ends them (tool_axis.cc).
@@ -147,6 +149,11 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
 /// A failure at a place of the block.
 [[gnu::cold]] Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail);
 
+/// Why arcs and cutter compensation are refused under G54.4: the plane that they lie in is tilted,
+/// and nothing leads the axes in it.
+inline constexpr const char* kTiltedBySettingError =
+    "under G54.4 with the part tilted: G43.4 or G68.2 leads the axes there, alone it is not "
+    "simulated";
 /// A failure at a word.
 [[gnu::cold]] Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
 [[gnu::cold]] Failure at_word(WrongValue wrong, const EvaluatedWord& word);

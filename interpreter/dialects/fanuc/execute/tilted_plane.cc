@@ -276,10 +276,22 @@ MaybeFailure refuse_plane(const Control& control, bool adds) {
 
 }  // namespace
 
+/// A, B and C, and an R where nothing turns by it.
+void tell_idle_words(Control& control, const NcBlock& block, bool turns_by_r) {
+  for (const char letter : {'A', 'B', 'C', 'R'}) {
+    if (block.words.has(letter) && !(letter == 'R' && turns_by_r)) {
+      control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where,
+                        fmt::format("{} of {}", letter, to_text(block.code->number)));
+    }
+  }
+}
+
 MaybeFailure execute_tilted_plane(Control& control, const NcBlock& block) {
   constexpr int kAlongTool = 3;
   constexpr int kAdds = 4;
   const int which = block.code->number.tenth;
+  const EvaluatedWord* const form = block.words.find('P');
+  tell_idle_words(control, block, which == kAlongTool || (form != nullptr && form->number == 2.0));
   if (auto failure = refuse_plane(control, which == kAdds)) {
     return failure;
   }
@@ -300,6 +312,29 @@ MaybeFailure execute_tilted_plane(Control& control, const NcBlock& block) {
   if (plane) {
     control.coordinates.set_plane(which == kAdds ? *control.coordinates.plane() * *plane : *plane);
   }
+  return std::nullopt;
+}
+
+/// About the axis I J K through X Y Z, an axis that is not named where the tool is, by R
+/// counterclockwise.  What it turns are coordinates, as of a tilted plane.  Source: FANUC
+/// B-62764EN/01 p. 243.
+MaybeFailure rotate_in_space(Control& control, const NcBlock& block) {
+  if (auto failure = refuse_plane(control, false)) {
+    return failure;
+  }
+  const Point axis = vector(control, block.words);
+  if (!(axis.norm() > 0.0) || !block.words.has('R')) {
+    return block_failure(AlarmId::RotationFormat,
+                         block.words.has('R') ? "I, J and K are all 0" : "R is missing");
+  }
+  Point centre = linear_axes(control.coordinates.programmed());
+  const Point named = lengths(control, block.words);
+  for (int i = 0; i < kLinearAxisCount; ++i) {
+    centre[i] = block.words.has(kAxisLetters[i]) ? named[i] : centre[i];
+  }
+  const double radians = angle(control, block.words, 'R') * std::numbers::pi / 180.0;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(radians, axis.normalized()).toRotationMatrix();
+  control.coordinates.set_plane(placed(centre - turn * centre, turn));
   return std::nullopt;
 }
 

@@ -120,6 +120,11 @@ MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block) {
   if (!sign) {
     return sign.error();
   }
+  if (block.has_axis_word) {
+    control.warn_once(
+        source::DiagnosticId::WordWithoutEffect, block.where,
+        fmt::format("an axis beside {}, which turns the tool alone", to_text(block.code->number)));
+  }
   const auto q_M = turned_to(control, plane->linear().col(2), sign.value());
   if (!q_M) {
     return q_M.error();

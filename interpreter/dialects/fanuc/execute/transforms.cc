@@ -141,6 +141,12 @@ void cancel_scaling(Control& control) {
 /// G68: turns the plane about a point, by default the present one, by R counterclockwise (MB-298).
 /// Mirror and scaling take the centre along, and a mirrored plane turns the other way.
 MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
+  if (block.words.has_any(letters_of("IJK"))) {
+    if (control.profile.rotates_in_space) {
+      return rotate_in_space(control, block);
+    }
+    control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where, "I, J or K of G68");
+  }
   const Plane plane = control.modal.plane();
   const Coordinates& coordinates = control.coordinates;
   const WorkTransform before = control.transforms.before_rotation();

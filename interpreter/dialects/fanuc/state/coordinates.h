@@ -133,6 +133,13 @@ class Coordinates {
   [[nodiscard]] AxisPositions path_at(const AxisPositions& q_M) const {
     return tip_ ? tip_->base_at(q_M) : q_M;
   }
+  /// Whether errors of the part (G54.4) tilt the plane across an axis of the work system where
+  /// nothing leads the axes: straight ways follow it there, and only they.
+  [[nodiscard]] bool tilts_unled(int across) const {
+    constexpr double kSameDirection = 1e-9;
+    return !is_plain_ && !tip_ &&
+           (error_.linear().col(across) - Point::Unit(across)).norm() > kSameDirection;
+  }
   /// Work coordinates with the tool offset still in them (#5041, #5061).
   [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const {
     return is_plain_ ? AxisPositions(q_M - shift_)

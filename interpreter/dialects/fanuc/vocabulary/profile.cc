@@ -226,6 +226,7 @@ constexpr Profile haas() {
   profile.pecks_clear = true;
   profile.shifts_by_distances = true;  // the same manual, G76
   profile.bars_origins_in_rotation = false;
+  profile.rotates_in_space = false;
   profile.scale = {1.0, true, false};  // mill operator's manual, G51: P2. and P2 are both twice
   profile.inverse_time = {InverseTime::OfArc::Length, 1000.0, 999999.999, false};
   profile.feed_counts = {1000.0, 10000.0};  // setting 77 as it comes: F12 is 0.0012 inch/min
@@ -258,6 +259,7 @@ constexpr Profile brother() {
   profile.name = "brother";
   profile.text = "Brother C00";
   profile.has_then = false;
+  profile.rotates_in_space = false;
   profile.loops = {4, 4};
   profile.missing_g_codes = kMissingOfBrother;
   profile.own_g_codes = CodeSet::Brother;

@@ -230,6 +230,9 @@ struct Profile {
   /// Behind G68 an axis that a block does not name is where the program had it before the rotation,
   /// unless parameter 11600.5 is on; else it is where the tool is in the turned plane.
   bool omits_before_rotation = false;
+  /// I, J and K of G68 are an axis in space that it turns about by R: an option of Fanuc and MELDAS
+  /// (B-62764EN/01 p. 243; M700V programming manual, three-dimensional coordinate conversion).
+  bool rotates_in_space = true;
   /// The manual wants G69 before G27 to G30, G52 to G59 and G92 (Fanuc B-63944EN, rotation).
   bool bars_origins_in_rotation = true;
 
