@@ -111,7 +111,8 @@ Fault CutterCompensation::idle(std::optional<PathItem> item, const CompensationC
   } else if (mode_ == Mode::Leaving && on) {
     mode_ = Mode::Starting;
   } else if (mode_ == Mode::On) {
-    ++idle_;
+    const auto* const block = item ? std::get_if<PathBlock>(&*item) : nullptr;
+    idle_ += block != nullptr && block->goes_on ? 0 : 1;
     const bool renewed = command.written == CompensationCommand::Written::Here;
     if (!on || renewed || idle_ > rules_.idle_limit) {
       if (const Fault fault = end_beside()) {

@@ -82,6 +82,7 @@ struct PathBlock {
   machine::ContourControl contour_control = machine::ContourControl::Off;
   machine::Smoothness smoothness = {};
   bool feed_at_contour = false;  ///< of an arc: the tool beside it goes round in the same time
+  bool goes_on = false;          ///< a piece behind the first of a block, which is one all the same
   bool of_axes = false;          ///< its end is a position of the axes, whatever leads them (G53)
   /// Leads the axes in the place of what the outlet is led by: the block's places are in its base
   /// coordinates.  Null: see Outlet::lead_by.
@@ -93,7 +94,7 @@ struct PathBlock {
     const auto told = [](const PathBlock& block) {
       return std::tie(block.arc, block.g, block.feed_mm_min, block.where, block.ends,
                       block.mm_per_degree, block.rapid_path, block.contour_control,
-                      block.feed_at_contour, block.of_axes, block.smoothness);
+                      block.feed_at_contour, block.goes_on, block.of_axes, block.smoothness);
     };
     return a.q_M_end == b.q_M_end && told(a) == told(b) &&
            (a.leads == nullptr) == (b.leads == nullptr);

@@ -101,10 +101,21 @@ bool wants_corner(const Channel& channel) {
          channel.corners.wish.kind != path::CornerWish::Kind::Sharp;
 }
 
+/// Whether the tool turns along a great circle meanwhile, which no arc of the machine does.
+bool turns_along_circle(Channel& channel, const Job& job) {
+  if (!has_direction(job.block)) {
+    return false;
+  }
+  const auto ends = pieces_of_turn(channel, channel.to_machine(job.q_W_end), job.q_W_end);
+  return !ends || ends.value().size() > 1;
+}
+
 /// In chords, for a machine whose arcs lie in planes of its axes.
 MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& arc) {
   if (channel.cutter.compensation.engaged() || wants_corner(channel)) {
-    return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41, G42, RND or CHF");
+    return failure(
+        AlarmId::NotImplemented,
+        "a circle in a tilted plane, or on which the tool turns, with G41, G42, RND or CHF");
   }
   const double radius = arc.out.norm();
   const Vector3 normal = arc.out.cross(arc.ahead).normalized();
@@ -113,13 +124,25 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
   if (!feed) {
     return feed.error();
   }
-  const int chords = path::chords_of(arc.sweep, radius, kChordErrorMm);
+  int chords = path::chords_of(arc.sweep, radius, kChordErrorMm);
+  std::vector<AxisPositions> turned;
+  if (turns_along_circle(channel, job)) {
+    auto ends = pieces_of_turn(channel, channel.to_machine(job.q_W_end), job.q_W_end, chords);
+    if (!ends) {
+      return ends.error();
+    }
+    turned = std::move(ends.value());
+    chords = static_cast<int>(turned.size());
+  }
   for (int i = 1; i <= chords; ++i) {
     const double fraction = static_cast<double>(i) / chords;
     const double angle = arc.sweep * fraction;
     AxisPositions q_W = along(job, fraction);
     q_W.head<3>() = arc.centre + std::cos(angle) * arc.out + std::sin(angle) * arc.ahead +
                     fraction * rise * normal;
+    if (!turned.empty()) {
+      q_W.tail<kRotaryAxisCount>() = rotary_axes(turned[static_cast<std::size_t>(i - 1)]);
+    }
     q_W = i == chords ? job.q_W_end : q_W;
     path::PathBlock chord;
     chord.q_M_end = channel.to_path(q_W);
@@ -214,7 +237,7 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   if (!plane.is_even) {
     return failure(AlarmId::NotImplemented, "a circle in an unequally scaled plane");
   }
-  if (plane.is_parallel) {
+  if (plane.is_parallel && !turns_along_circle(channel, job)) {
     return move_in_arcs(channel, job, circle.value(), turns.value());
   }
   const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;

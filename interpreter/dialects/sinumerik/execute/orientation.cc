@@ -143,11 +143,47 @@ AxisPositions with_turn(const Channel& channel, AxisPositions q_W, const AxisPos
   return q_W;
 }
 
+double angle_between(const Vector3& from, const Vector3& to) {
+  return std::atan2(from.cross(to).norm(), from.dot(to));
+}
+
 /// By how much of a great circle from one direction to another, both of length 1.
 Vector3 between(const Vector3& from, const Vector3& to, double fraction) {
-  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
-  return (std::sin((1.0 - fraction) * angle) * from + std::sin(fraction * angle) * to) /
-         std::sin(angle);
+  const double angle = angle_between(from, to);
+  return angle > 0.0 ? Vector3((std::sin((1.0 - fraction) * angle) * from +
+                                std::sin(fraction * angle) * to) /
+                               std::sin(angle))
+                     : to;
+}
+
+/// In how many pieces the tool turns along a great circle, at least so many; 1: its axes go
+/// straight.
+int pieces_between(const Channel& channel, const Vector3& from, const Vector3& to, int least) {
+  constexpr double kOppositeDeg = 179.999;  // many great circles lead there
+  const double angle_deg = angle_between(from, to) * 180.0 / std::numbers::pi;
+  return channel.group[Group::OrientationPath] == kTurnedByAxes || goes_by_axes(channel) ||
+                 angle_deg > kOppositeDeg
+             ? 1
+             : std::max(least, static_cast<int>(std::ceil(angle_deg / kPieceDeg)));
+}
+
+/// Where the axes that turn the tool come to on the way from where they stand, at the end of each
+/// piece: from piece to piece the nearer of their positions, so that none jumps to the other.
+std::optional<std::vector<AxisPositions>> turned_in_pieces(const Channel& channel,
+                                                           const Vector3& to, int pieces) {
+  AxisPositions q_M = channel.machine_position();
+  const Vector3 from = channel.tool_direction(q_M);
+  std::vector<AxisPositions> ends;
+  for (int i = 1; i <= pieces; ++i) {
+    const auto turned = axes_for(
+        channel, i == pieces ? to : between(from, to, static_cast<double>(i) / pieces), q_M);
+    if (!turned) {
+      return std::nullopt;
+    }
+    q_M.tail<kRotaryAxisCount>() = rotary_axes(*turned);
+    ends.push_back(q_M);
+  }
+  return ends;
 }
 
 /// Those of a block that goes point to point.
@@ -229,40 +265,45 @@ MaybeFailure take_direction(const Channel& channel, const Block& block, AxisPosi
     return failure(AlarmId::OrientationMixed, "A3, B3 and C3 are all 0");
   }
   if (channel.group[Group::Orientation] != kMachine) {
-    direction = channel.active_frame().turn() * direction;
+    direction = channel.active_frame().directions() * direction;
   }
-  const auto q_M =
-      axes_for(channel, direction, channel.machine_position(), stance_of(channel, block));
+  const AxisPositions q_M_from = channel.machine_position();
+  const auto q_M = axes_for(channel, direction, q_M_from, stance_of(channel, block));
   if (!q_M) {
     return failure(AlarmId::CarrierNotReached, "the programmed orientation");
   }
-  q_W_end = with_turn(channel, q_W_end, *q_M);
+  const Vector3 to = direction.normalized();
+  const int pieces = pieces_between(channel, channel.tool_direction(q_M_from), to, 1);
+  const auto ends = pieces > 1 ? turned_in_pieces(channel, to, pieces) : std::nullopt;
+  if (pieces > 1 && !ends) {
+    return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
+  }
+  q_W_end = with_turn(channel, q_W_end, ends ? ends->back() : *q_M);
   return std::nullopt;
 }
 
 Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
                                                            const AxisPositions& q_M_end,
-                                                           const AxisPositions& q_W_end) {
-  AxisPositions q_M = channel.machine_position();
-  const Vector3 from = channel.tool_direction(q_M);
+                                                           const AxisPositions& q_W_end,
+                                                           int least) {
   const Vector3 to = channel.tool_direction(q_M_end);
-  const double angle = std::atan2(from.cross(to).norm(), from.dot(to)) * 180.0 / std::numbers::pi;
-  const int pieces = channel.group[Group::OrientationPath] == kTurnedByAxes || angle > 179.999
-                         ? 1
-                         : std::max(1, static_cast<int>(std::ceil(angle / kPieceDeg)));
-  const AxisPositions q_W_from = channel.present();
-  std::vector<AxisPositions> ends;
-  for (int i = 1; i < pieces; ++i) {
-    const double fraction = static_cast<double>(i) / pieces;
-    const auto turned = axes_for(channel, between(from, to, fraction), q_M);
-    if (!turned) {
-      return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
-    }
-    ends.push_back(with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), *turned));
-    q_M.tail<kRotaryAxisCount>() = rotary_axes(*turned);
+  const int pieces =
+      pieces_between(channel, channel.tool_direction(channel.machine_position()), to, least);
+  if (pieces == 1) {
+    return std::vector<AxisPositions>{q_W_end};
   }
-  ends.push_back(q_W_end);
-  return ends;
+  auto ends = turned_in_pieces(channel, to, pieces);
+  if (!ends) {
+    return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
+  }
+  const AxisPositions q_W_from = channel.present();
+  for (int i = 1; i < pieces; ++i) {
+    AxisPositions& q_end = (*ends)[static_cast<std::size_t>(i - 1)];
+    const double fraction = static_cast<double>(i) / pieces;
+    q_end = with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), q_end);
+  }
+  ends->back() = q_W_end;
+  return *std::move(ends);
 }
 
 MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
@@ -275,11 +316,14 @@ MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path
     path::PathBlock piece = path;
     piece.q_M_end = channel.to_path(ends.value()[i]);
     piece.ends = machine::BlockEnd::PassOn;
+    piece.goes_on = i > 0;
     if (MaybeFailure wrong = travel_to(channel, piece, ends.value()[i])) {
       return wrong;
     }
   }
-  return travel_to(channel, path, q_W_end);
+  path::PathBlock last = path;
+  last.goes_on = ends.value().size() > 1;
+  return travel_to(channel, last, q_W_end);
 }
 
 MaybeFailure turn_back(Channel& channel, const std::array<std::optional<double>, 2>& deg,

@@ -21,9 +21,11 @@ MaybeFailure travel_to(Channel& channel, const path::PathBlock& path, const Axis
 /// Where the pieces of a way end on which the tool turns along a great circle, in work coordinates;
 /// one piece with ORIAXES.
 /// @param q_M_end  the rotary axes at its end
+/// @param least    so many pieces, where it turns so
 Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
                                                            const AxisPositions& q_M_end,
-                                                           const AxisPositions& q_W_end);
+                                                           const AxisPositions& q_W_end,
+                                                           int least = 1);
 
 /// `travel_to` with a programmed direction of the tool, which goes along a great circle with
 /// ORIVECT.

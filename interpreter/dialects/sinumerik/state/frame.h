@@ -43,6 +43,10 @@ class Frame {
   void set_solid_angles(int first, double about_first, double about_second);
   /// The rotation alone.
   [[nodiscard]] const Eigen::Matrix3d& turn() const { return turn_; }
+  /// The rotation and the mirror: where a direction comes to, scales apart.
+  [[nodiscard]] Eigen::Matrix3d directions() const {
+    return turn_ * mirror_.head<kLinearAxisCount>().asDiagonal();
+  }
   void set_turn(const Eigen::Matrix3d& turn) { turn_ = turn; }
   /// Shifted further along its own axes, by the shift of a frame; the fine shift takes it.
   void add_fine_shift(const Frame& shift);
