@@ -117,6 +117,8 @@ TEST(Desk, AnAlarmShowsTheLocalsOfItsFrame) {
   EXPECT_TRUE(has(fanuc.errors, "      = with #1 = 3, #2 = 4, #5 = 6\n")) << fanuc.errors;
   EXPECT_EQ(json::parse(testing::text_of(path)).at("alarm").at("locals").dump(),
             R"({"#1":3.0,"#2":4.0,"#5":6.0})");
+  EXPECT_EQ(run_of("a.nc", "O1\n#500=8\nM30\n", {"--print", "all,#501"}).out,
+            "#501 = null\n#500 = 8\n");
   const CommandOutput sinumerik =
       run_of("a.mpf", "DEF REAL DEPTH=2.5\nDEF STRING[5] WHO=\"ME\"\nSETAL(65001)\nM30\n");
   EXPECT_TRUE(has(sinumerik.errors, "DEPTH = 2.5")) << sinumerik.errors;
@@ -229,6 +231,25 @@ TEST(Prints, AllOfThem) {
   const CommandOutput sinumerik =
       run_of("a.mpf", "DEF REAL DEPTH=2.5\nR1=5\nM30\n", {"--print", "all"});
   EXPECT_EQ(sinumerik.out, "R1 = 5\nDEPTH = 2.5\n") << sinumerik.errors;
+}
+
+TEST(Documents, SayThatTheLogIsNotWritten) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\n#500=8\nM30\n");
+  const std::string document = folder.path("a.json");
+  const CommandOutput output = g31({"run", program, "--jsonl", "/dev/full", "--json", document});
+  EXPECT_EQ(output.exit_code, 2) << output.errors;
+  const json told = json::parse(testing::text_of(document));
+  EXPECT_EQ(told.at("exit_code"), 2);
+  EXPECT_TRUE(has(told.at("diagnostics").at(0).at("message"), "/dev/full"));
+}
+
+TEST(Messages, OfSheetsHaveOneLine) {
+  const TemporaryFolder folder;
+  const std::string sheet = folder.write("e\x1b[31mx\ny.toml", "[probe]\nbogus=1\n");
+  const CommandOutput output = g31({"setup", sheet});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_TRUE(has(output.errors, "e?[31mx?y.toml:2:1: error: unknown key")) << output.errors;
 }
 
 std::vector<json> events_of(const std::string& text) {

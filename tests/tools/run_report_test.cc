@@ -302,6 +302,12 @@ TEST_F(Report, ComparesInTheFrameOfATurnedPart) {
               figures.at("ways").back().at("points"));
 }
 
+TEST_F(Report, HasATableOfTouchesWhereThereAreNone) {
+  const std::string page = page_of("O1\nM30\n", {});
+  EXPECT_TRUE(has(page, "<table id=\"touches\">"));
+  EXPECT_FALSE(has(page, "<tr data-touch="));
+}
+
 TEST_F(Report, SaysWhereTheOtherRunTellsNoTimes) {
   const std::string other = folder_.path("other.json");
   page_of(kTouch, {"--json", other, "--moves", "--touches", "--blocks"});

@@ -48,6 +48,9 @@ struct Checked {
   std::optional<page::OtherRun> other;  ///< of --compare
 };
 
+/// Among the names of --print: every variable that has a value.
+constexpr std::string_view kAllValues = "all";
+
 Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& job) {
   Checked checked;
   const auto period = setup::parse_duration(options.trace_period);
@@ -56,16 +59,13 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
   }
   checked.trace_period_s = period.value();
   for (const std::string& list : options.prints) {
-    if (list == "all") {
-      checked.prints_all = true;
-      continue;
-    }
     const auto names = setup::parse_name_list(list);
     if (!names) {
       return session::bad_input(fmt::format("--print {}: {}", list, names.error()));
     }
     checked.prints.insert(checked.prints.end(), names.value().begin(), names.value().end());
   }
+  checked.prints_all = std::erase(checked.prints, kAllValues) > 0;
   const auto expectations = expectations_of(job, options.expects);
   if (!expectations) {
     return expectations.error();
@@ -167,15 +167,23 @@ std::optional<Refusal> add_values(const OpenedRun& opened, const RunState& befor
                      : std::nullopt;
 }
 
-/// Sends everything where it goes; documents say what of it nobody could read on standard output.
+/// Sends everything where it goes; the document and the page say what of it nobody could read on
+/// standard output or in the log of --jsonl, which come before them.
 /// @returns why it could not be
 std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs,
                                  report::RunResult& result) {
   std::vector<Refusal> problems;
-  if (const auto wrong = print_values(opened, result)) {
-    problems.push_back(*wrong);
-    result.outcome.diagnostics.push_back(message_of(*wrong));
-    result.exit_code = static_cast<int>(exit_code_of(with_ended_wait(*wrong).ending));
+  const auto keep = [&](const std::optional<Refusal>& wrong) {
+    if (wrong) {
+      problems.push_back(*wrong);
+      result.outcome.diagnostics.push_back(message_of(*wrong));
+      result.exit_code = static_cast<int>(exit_code_of(with_ended_wait(*wrong).ending));
+    }
+  };
+  keep(print_values(opened, result));
+  if (outputs.events != nullptr) {
+    const auto wrong = outputs.events->finish(result, opened.recorder.touch_count());
+    keep(wrong ? std::optional(session::bad_input(*wrong)) : std::nullopt);
   }
   if (const auto wrong = deliver(opened, result)) {
     problems.push_back(*wrong);
@@ -183,11 +191,6 @@ std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs
   if (wants_page(opened.options)) {
     if (const auto wrong = deliver_page(opened, result)) {
       problems.push_back(*wrong);
-    }
-  }
-  if (outputs.events != nullptr) {
-    if (const auto wrong = outputs.events->finish(result, opened.recorder.touch_count())) {
-      problems.push_back(session::bad_input(*wrong));
     }
   }
   return problems;

@@ -170,8 +170,9 @@ Json names_json(const RunPage& run, const FileNames& names) {
   return object;
 }
 
-/// The work coordinates of the touches where all of them have the same, not turned; else those that
-/// the pictures are in.
+/// The work coordinates that touches read in, where all of them have the same, not turned; else
+/// those that the pictures are in.  A length that counts to the lowest point of the ball puts their
+/// origin a radius off that of the work.
 Json frame_json(const RunPage& run, const TouchGeometries& geometries, const Report& report) {
   constexpr double kSame = 1e-6;  // mm
   const Word name = run.is_of_part ? Word::PartCoordinates : Word::MachineCoordinates;
@@ -187,7 +188,9 @@ Json frame_json(const RunPage& run, const TouchGeometries& geometries, const Rep
       origin = from_here;
     }
   }
-  return origin ? Json{{"name", report.frame}, {"origin", array_of(*origin)}} : of_pictures;
+  return origin ? Json{{"name", text_of(Word::WorkAsBallReads, report.language)},
+                       {"origin", array_of(*origin)}}
+                : of_pictures;
 }
 
 Json words_json(Language language) {

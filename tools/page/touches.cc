@@ -62,10 +62,15 @@ std::string head_of(const Report& report) {
 }  // namespace
 
 std::string touches_part(const Report& report) {
-  if (report.touches.empty()) {
-    return {};
-  }
   const auto say = [&](Word name) { return word(report, name); };
+  if (report.touches.empty()) {
+    return report.frame.empty()
+               ? std::string()
+               : fmt::format(
+                     R"(<section class="card" aria-labelledby="hto"><header><h2 id="hto">{}</h2></header><div class="tw"><table id="touches"><tbody><tr><td class="wrapcell mut">{}</td></tr></tbody></table></div></section>
+)",
+                     say(Word::Touches), say(Word::NoTouches));
+  }
   const auto without =
       std::ranges::count_if(report.touches, [](const TouchRow& row) { return !row.is_triggered; });
   const bool folds = report.touches.size() > kFewRows && without > 0;

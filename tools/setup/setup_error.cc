@@ -83,11 +83,12 @@ std::string message_of(SetupErrorId id, std::initializer_list<std::string_view> 
 }
 
 std::string render(const SetupError& error) {
+  const std::string file = source::printable(error.file);
   if (error.line <= 0) {
-    return fmt::format("{}: error: {} [{}]\n", error.file, error.message, error.code);
+    return fmt::format("{}: error: {} [{}]\n", file, error.message, error.code);
   }
-  std::string text = fmt::format("{}:{}:{}: error: {} [{}]\n{}", error.file, error.line,
-                                 error.column, error.message, error.code, excerpt(error));
+  std::string text = fmt::format("{}:{}:{}: error: {} [{}]\n{}", file, error.line, error.column,
+                                 error.message, error.code, excerpt(error));
   if (!error.remedy.empty()) {
     text += fmt::format("{:5} = {}\n", "", error.remedy);
   }
