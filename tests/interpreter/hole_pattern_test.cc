@@ -70,6 +70,7 @@ TEST(HolePattern, NeedsACycleAndItsWords) {
   EXPECT_EQ(ControlRun("haas", cycle + "G70I10.").alarm(), 9);
   EXPECT_EQ(ControlRun("haas", cycle + "G70I10.L0").alarm(), 9);
   EXPECT_EQ(ControlRun("haas", cycle + "G70L4").alarm(), 9);
+  EXPECT_EQ(ControlRun("haas", cycle + "G71I10.L4").alarm(), 9);
   EXPECT_EQ(ControlRun("haas", cycle + "G72I10.L1.5").alarm(), 7);
 }
 
@@ -91,6 +92,8 @@ TEST(HolePattern, OfMeldas) {
   EXPECT_EQ(ControlRun("meldas", cycle + "G34I10.K0").alarm(), 221);
   EXPECT_EQ(ControlRun("meldas", cycle + "G35I10.K-2").alarm(), 221);
   EXPECT_EQ(ControlRun("meldas", cycle + "G34I10.").alarm(), 221);
+  EXPECT_EQ(ControlRun("meldas", cycle + "G36I10.K2").alarm(), 222);
+  EXPECT_EQ(meldas("G35I5.K2.").size(), 2U) << "a point behind how many is none";
   EXPECT_EQ(ControlRun("meldas", "G34I10.K4").alarm(), 34);
   EXPECT_EQ(ControlRun("fanuc-16i", cycle + "G34I10.K4").alarm(), 10);
 }

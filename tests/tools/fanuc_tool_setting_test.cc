@@ -290,6 +290,7 @@ TEST(FanucToolSetting, TheBeamHasToMeetTheSideOfTheTool) {
   const Shop shallow(kLaser, calibrate + "T1 M6\nG65 P9857 H1 D1 Q1. Z3\n");
   EXPECT_EQ(shallow.alarm(), 3182) << shallow.errors();
   expect_value(shallow, "#13001", 8.2, 0.0);
+  expect_value(Shop(kLaser, calibrate + "T1 M6\nG65 P9857 H1 Q1. Z.4\n"), "#11001", 100.3);
   for (const char* depth : {"Z4.1237", "Z2.5005", "Z3.33333"}) {
     const Shop shop(kLaser, calibrate + "T1 M6\nG65 P9857 H1 D1 Q1. " + depth + "\n");
     EXPECT_EQ(shop.exit_code(), 0) << depth << shop.errors();

@@ -17,6 +17,7 @@ namespace {
 
 using namespace machine::worked;  // NOLINT(google-build-using-namespace)
 
+const Point kOrigin(20, -30, -400);
 const std::vector<machine::AxisChainSetup> kMachines = {k1(), k2(), k3(), k4(), k5(), k6()};
 
 /// Where the axes stand at the end of each move.
@@ -26,7 +27,7 @@ std::vector<AxisPositions> ends_of(const machine::AxisChainSetup& machine,
   cli::RunOptions options;
   options.programs = {folder.write(
       "main.mpf", "G710 G90 G17 G40\nT1 M6\nG54 D1\nTRAORI\nORIWKS\n" + program + "M30\n")};
-  options.setups = {folder.write("machine.toml", five_axis_sheet(machine, Point(20, -30, -400)))};
+  options.setups = {folder.write("machine.toml", five_axis_sheet(machine, kOrigin))};
   options.control = "sinumerik-828d";
   options.moves = true;
   const RunOutput output = run_program(options);
@@ -44,6 +45,11 @@ std::vector<AxisPositions> ends_of(const machine::AxisChainSetup& machine,
 
 Point direction_at(const machine::AxisChainSetup& machine, const AxisPositions& q_M) {
   return machine::AxisChain(machine, Point::Zero()).for_part(q_M).tilt * Point::UnitZ();
+}
+
+/// Work coordinates of the tip.
+Point tip_at(const machine::AxisChainSetup& machine, const AxisPositions& q_M) {
+  return linear_axes(machine::AxisChain(machine, kTool).for_part(q_M).q) + kTool - kOrigin;
 }
 
 /// How far directions, also half way between two of them, are off the great circle through `from`
@@ -93,6 +99,11 @@ TEST(GreatCircle, IsKeptOnArcs) {
         "G1 F3000 X0 Y0 Z3\nA3=.3 B3=.3 C3=1\nG4 F0.3\nG2 X20 Y0 I10 J0 F500 A3=.3 B3=-.3 C3=1\n"));
     EXPECT_LT((direction_at(machine, ends.back()) - to).norm(), 1e-6);
     EXPECT_LT(off_circle(machine, ends, from, to), 1e-3);
+    for (const AxisPositions& q_M : ends) {
+      const Point tip = tip_at(machine, q_M);
+      EXPECT_NEAR(std::hypot(tip.x() - 10.0, tip.y()), 10.0, 1e-6);
+      EXPECT_NEAR(tip.z(), 3.0, 1e-6);
+    }
   }
 }
 
@@ -101,6 +112,8 @@ TEST(GreatCircle, OneBlockIsOneForCutterCompensation) {
     const auto ends =
         ends_of(machine, "G0 X0 Y0 Z10\nG41 G1 X5 Y0 F1000\nX20\nA3=.2 C3=1\nY20\nG40 X30\n");
     EXPECT_GT(ends.size(), 10U);
+    const Point tip = tip_at(machine, ends.back());
+    EXPECT_LT((tip - Point(30, 20, 10)).norm(), 1e-6);
   }
 }
 

@@ -188,7 +188,7 @@ Json frame_json(const RunPage& run, const TouchGeometries& geometries, const Rep
       origin = from_here;
     }
   }
-  return origin ? Json{{"name", text_of(Word::WorkAsBallReads, report.language)},
+  return origin ? Json{{"name", text_of(Word::WorkReadings, report.language)},
                        {"origin", array_of(*origin)}}
                 : of_pictures;
 }

@@ -84,6 +84,35 @@ M30
 %
 (EXPECT ALARM 35 AT 9)
 
+(CASE while an offset is left)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G54
+G68.2 X0 Y0 Z0 I0 J0 K0
+G0 X0 Y0 Z0
+G41 D1 G1 X5. F500.
+X10.
+G40 Z5.
+G69
+M30
+%
+(EXPECT ALARM 35 AT 10)
+
+(CASE where none ever was)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G54
+G68.2 X0 Y0 Z0 I0 J0 K0
+G0 X0 Y0 Z0
+G41 D0 G1 X5. F500.
+X10.
+G69
+M30
+%
+(EXPECT MOVE 3 X50 Y-25)
+
 (CASE behind G40 it ends)
 %
 O1
@@ -121,7 +150,20 @@ G0 X50. Y0
 G41 D1 G1 X40. F1000.
 M30
 %
-(EXPECT ALARM 35 AT 7)
+(EXPECT ALARM 113 AT 7)
+
+(CASE a tilt that nobody sees)
+(CONTROL fanuc-30i)
+%
+O1
+#26013=.00001
+G54.4 P1
+G0 X50. Y0
+G3 X0 Y50. I-50. F1000.
+#100=#5002
+M30
+%
+(EXPECT #100 = 50)
 
 (CASE an arc follows where the part is turned in its plane)
 (CONTROL fanuc-30i)
@@ -207,6 +249,48 @@ G68 X10. Y5. Z3. I1. J0 K0
 M30
 %
 (EXPECT ALARM 5044 AT 4)
+
+(CASE and all of its direction)
+(CONTROL fanuc-30i)
+%
+O1
+G68 X10. Y5. Z3. I1. R30.
+M30
+%
+(EXPECT ALARM 5044 AT 4)
+
+(CASE a second one turns in the first, about its centre where it names none: Z by 90, then the new X)
+(CONTROL fanuc-30i)
+%
+O1
+G90 G54 G0 X0 Y0 Z0
+G68 X10. Y0 Z0 I0 J0 K1. R90.
+G68 I1. J0 K0 R90.
+G0 X10. Y5. Z0
+G69
+M30
+%
+(EXPECT MOVE 2 X50 Y-25 Z-375)
+
+(CASE G68.2 does not take its place)
+(CONTROL fanuc-30i)
+%
+O1
+G68 X0 Y0 Z0 I0 J0 K1. R90.
+G68.2 X0 Y0 Z0 I0 J0 K0
+M30
+%
+(EXPECT ALARM 5458 AT 5)
+
+(CASE nor does a tool turn to it)
+(CONTROL fanuc-30i)
+%
+O1
+G68 X0 Y0 Z0 I1. J0 K0 R30.
+G53.1
+M30
+%
+(EXPECT ALARM 5461 AT 5)
 
 (CASE a Haas turns planes alone)
 (CONTROL haas)

@@ -25,7 +25,7 @@ M99
 (EXPECT #100 = 3)
 (EXPECT #101 = 2)
 
-(CASE but no number lies between two of them)
+(CASE what would be lost is an alarm of ours)
 (CONTROL meldas)
 %
 O1

@@ -234,7 +234,7 @@ MaybeFailure refuse_turning_arc(const Control& control, const AxisPositions& q_L
   constexpr double kSameDirection = 1e-9;
   const Coordinates& coordinates = control.coordinates;
   if (coordinates.tilts_unled(control.modal.plane().across)) {
-    return block_failure(AlarmId::ImproperCommand, fmt::format("an arc {}", kTiltedBySettingError));
+    return block_failure(AlarmId::TiltedBySettingError, "an arc in a part that G54.4 tilts");
   }
   if (!coordinates.leader()) {
     return std::nullopt;

@@ -99,17 +99,19 @@ bool is_second_call(const EvaluatedWord& word) {
 struct Leaders {
   bool holds_tip = false;
   bool has_plane = false;
+  bool is_rotation = false;  ///< the plane is what G68 with I J K turns
 };
 
-/// A code that ends or leaves a tilted plane while cutter compensation reckons in its coordinates.
-MaybeFailure refuse_while_compensating(const Control& control, const EvaluatedWord& word,
-                                       const GCode& code) {
-  const bool is_off = control.modal.group[Group::CutterCompensation].whole == 40;
+/// A code that ends a tilted plane while an offset of G41 or G42 is left, which is in its
+/// coordinates (FANUC B-63664EN p. 392 of its G68 and G69).
+MaybeFailure refuse_with_offset(const Control& control, const EvaluatedWord& word,
+                                const GCode& code) {
   return code.action == GAction::RotationOff && control.coordinates.plane() &&
-                 (!is_off || control.cutter.compensation.engaged())
-             ? MaybeFailure(
-                   at_word(AlarmId::NotInCompensation, word,
-                           fmt::format("{} of a tilted plane in G41 or G42", to_text(code.number))))
+                 control.cutter.compensation.engaged()
+             ? MaybeFailure(at_word(AlarmId::NotInCompensation, word,
+                                    fmt::format("{} of a tilted plane while an offset of G41 or "
+                                                "G42 is left: move in the plane with G40 first",
+                                                to_text(code.number))))
              : std::nullopt;
 }
 
@@ -125,9 +127,12 @@ MaybeFailure refuse_when_led(Leaders leaders, const EvaluatedWord& word, const G
     return at_word(AlarmId::NotUnderTipControl, word,
                    fmt::format("{} under tool centre point control", to_text(code.number)));
   }
-  return leaders.has_plane && is_barred_in_plane(code.action)
-             ? MaybeFailure(at_word(AlarmId::NotInTiltedPlane, word,
-                                    fmt::format("{} in a tilted plane", to_text(code.number))))
+  const bool turns_on = leaders.is_rotation && code.action == GAction::Rotation;
+  return leaders.has_plane && !turns_on && is_barred_in_plane(code.action)
+             ? MaybeFailure(at_word(
+                   AlarmId::NotInTiltedPlane, word,
+                   fmt::format("{} in {}", to_text(code.number),
+                               leaders.is_rotation ? "space that G68 turns" : "a tilted plane")))
              : std::nullopt;
 }
 
@@ -202,11 +207,12 @@ MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedW
   }
   if (control.coordinates.leader()) {
     const Leaders leaders{control.coordinates.tip_system() != TipSystem::None,
-                          control.coordinates.plane().has_value()};
+                          control.coordinates.plane().has_value(),
+                          control.transforms.space_centre.has_value()};
     if (auto failure = refuse_when_led(leaders, word, *code)) {
       return failure;
     }
-    if (auto failure = refuse_while_compensating(control, word, *code)) {
+    if (auto failure = refuse_with_offset(control, word, *code)) {
       return failure;
     }
   }

@@ -196,8 +196,7 @@ MaybeFailure command_compensation(Control& control, const NcBlock& block) {
   command.state = code != 40 && control.modal.word('D') != 0.0 ? State::On : State::Off;
   command.plane = offset_plane(control);
   if (command.state == State::On && control.coordinates.tilts_unled(control.modal.plane().across)) {
-    return block_failure(AlarmId::NotInCompensation,
-                         fmt::format("G41 or G42 {}", kTiltedBySettingError));
+    return block_failure(AlarmId::TiltedBySettingError, "G41 or G42 in a part that G54.4 tilts");
   }
   // A mirrored path has its part on the other side.
   const bool mirrored = control.coordinates.transform().reverses_turns(control.modal.plane());

@@ -149,11 +149,6 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
 /// A failure at a place of the block.
 [[gnu::cold]] Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail);
 
-/// Why arcs and cutter compensation are refused under G54.4: the plane that they lie in is tilted,
-/// and nothing leads the axes in it.
-inline constexpr const char* kTiltedBySettingError =
-    "under G54.4 with the part tilted: G43.4 or G68.2 leads the axes there, alone it is not "
-    "simulated";
 /// A failure at a word.
 [[gnu::cold]] Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
 [[gnu::cold]] Failure at_word(WrongValue wrong, const EvaluatedWord& word);

@@ -105,11 +105,16 @@ Result<Pattern, Failure> pattern_of(const Control& control, const NcBlock& block
                          fmt::format("{} needs I", to_text(block.code->number)));
   }
   const EvaluatedWord* const j = block.words.find('J');
+  const double step = step_deg(control, block, code, holes.value());
+  if (code.shape == Shape::Arc && step == 0.0) {
+    return block_failure(AlarmId::NoAngleStep,
+                         fmt::format("{} needs {}", to_text(block.code->number), code.step));
+  }
   Pattern pattern;
   pattern.shape = code.shape;
   pattern.length_mm = control.scale.length_mm(*i);
   pattern.angle_deg = j != nullptr ? control.scale.angle_deg(*j) : 0.0;
-  pattern.step_deg = step_deg(control, block, code, holes.value());
+  pattern.step_deg = step;
   pattern.holes = std::abs(holes.value());
   return pattern;
 }

@@ -261,7 +261,8 @@ MaybeFailure refuse_plane(const Control& control, bool adds) {
   const auto refused = [](std::string why) {
     return block_failure(AlarmId::TiltedPlaneNotAllowed, std::move(why));
   };
-  if (!control.coordinates.transform().is_identity() || control.transforms.rotation) {
+  if (!control.coordinates.transform().is_identity() || control.transforms.rotation ||
+      control.transforms.space_centre) {
     return refused("mirror, scaling or rotation is in force");
   }
   if (control.cutter.compensation.engaged() ||
@@ -274,8 +275,6 @@ MaybeFailure refuse_plane(const Control& control, bool adds) {
   return std::nullopt;
 }
 
-}  // namespace
-
 /// A, B and C, and an R where nothing turns by it.
 void tell_idle_words(Control& control, const NcBlock& block, bool turns_by_r) {
   for (const char letter : {'A', 'B', 'C', 'R'}) {
@@ -285,6 +284,8 @@ void tell_idle_words(Control& control, const NcBlock& block, bool turns_by_r) {
     }
   }
 }
+
+}  // namespace
 
 MaybeFailure execute_tilted_plane(Control& control, const NcBlock& block) {
   constexpr int kAlongTool = 3;
@@ -315,26 +316,34 @@ MaybeFailure execute_tilted_plane(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
-/// About the axis I J K through X Y Z, an axis that is not named where the tool is, by R
-/// counterclockwise.  What it turns are coordinates, as of a tilted plane.  Source: FANUC
-/// B-62764EN/01 p. 243.
+/// About the axis I J K through X Y Z by R, counterclockwise.  What it turns are coordinates, as of
+/// a tilted plane.  A second one turns in the first, and has its centre where it names none.
+/// Source: FANUC B-62764EN/01 p. 243; that the first without X Y Z turns about where the tool is is
+/// ours, as of G68 in a plane.
 MaybeFailure rotate_in_space(Control& control, const NcBlock& block) {
-  if (auto failure = refuse_plane(control, false)) {
+  const auto first = control.transforms.space_centre;
+  if (auto failure = first ? std::nullopt : refuse_plane(control, false)) {
     return failure;
   }
-  const Point axis = vector(control, block.words);
-  if (!(axis.norm() > 0.0) || !block.words.has('R')) {
-    return block_failure(AlarmId::RotationFormat,
-                         block.words.has('R') ? "I, J and K are all 0" : "R is missing");
+  for (const char letter : {'I', 'J', 'K', 'R'}) {
+    if (!block.words.has(letter)) {
+      return block_failure(AlarmId::RotationFormat, fmt::format("{} is missing", letter));
+    }
   }
-  Point centre = linear_axes(control.coordinates.programmed());
+  const Point axis = vector(control, block.words);
+  if (!(axis.norm() > 0.0)) {
+    return block_failure(AlarmId::RotationFormat, "I, J and K are all 0");
+  }
+  Point centre = first.value_or(linear_axes(control.coordinates.programmed()));
   const Point named = lengths(control, block.words);
   for (int i = 0; i < kLinearAxisCount; ++i) {
     centre[i] = block.words.has(kAxisLetters[i]) ? named[i] : centre[i];
   }
   const double radians = angle(control, block.words, 'R') * std::numbers::pi / 180.0;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(radians, axis.normalized()).toRotationMatrix();
-  control.coordinates.set_plane(placed(centre - turn * centre, turn));
+  const Plane3 turned = placed(centre - turn * centre, turn);
+  control.coordinates.set_plane(first ? *control.coordinates.plane() * turned : turned);
+  control.transforms.space_centre = first.value_or(centre);
   return std::nullopt;
 }
 

@@ -112,7 +112,7 @@ MaybeFailure turn_about_tip(Control& control, const AxisPositions& q_M_turned) {
 MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block) {
   constexpr int kAboutTip = 6;
   const auto& plane = control.coordinates.plane();
-  if (!plane) {
+  if (!plane || control.transforms.space_centre) {
     return block_failure(AlarmId::NoTiltedPlane,
                          fmt::format("{} without a tilted plane", to_text(block.code->number)));
   }

@@ -141,10 +141,11 @@ void cancel_scaling(Control& control) {
 /// G68: turns the plane about a point, by default the present one, by R counterclockwise (MB-298).
 /// Mirror and scaling take the centre along, and a mirrored plane turns the other way.
 MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
-  if (block.words.has_any(letters_of("IJK"))) {
-    if (control.profile.rotates_in_space) {
-      return rotate_in_space(control, block);
-    }
+  const bool names_axis = block.words.has_any(letters_of("IJK"));
+  if (control.profile.rotates_in_space && (names_axis || control.transforms.space_centre)) {
+    return rotate_in_space(control, block);
+  }
+  if (names_axis) {
     control.warn_once(source::DiagnosticId::WordWithoutEffect, block.where, "I, J or K of G68");
   }
   const Plane plane = control.modal.plane();
@@ -200,6 +201,7 @@ std::optional<EvaluatedWord> word_before_rotation(Control& control, const BlockW
 
 void cancel_rotation(Control& control) {
   control.transforms.rotation.reset();
+  control.transforms.space_centre.reset();
   apply(control);
   control.plane_points = {};
   if (control.coordinates.plane()) {

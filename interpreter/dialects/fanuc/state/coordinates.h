@@ -136,9 +136,9 @@ class Coordinates {
   /// Whether errors of the part (G54.4) tilt the plane across an axis of the work system where
   /// nothing leads the axes: straight ways follow it there, and only they.
   [[nodiscard]] bool tilts_unled(int across) const {
-    constexpr double kSameDirection = 1e-9;
+    constexpr double kSeen = 1e-6;  // 0.1 um at 100 mm
     return !is_plain_ && !tip_ &&
-           (error_.linear().col(across) - Point::Unit(across)).norm() > kSameDirection;
+           (error_.linear().col(across) - Point::Unit(across)).norm() > kSeen;
   }
   /// Work coordinates with the tool offset still in them (#5041, #5061).
   [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const {

@@ -84,6 +84,8 @@ struct TransformStages {
   std::optional<Scaling> scaling;
   std::optional<Rotation> rotation;
   double angle_deg = 0.0;  ///< of the last G68, as the program has it
+  /// Of G68 with I J K, which the plane of the coordinates is of then; work coordinates.
+  std::optional<Point> space_centre;
 
   /// Whether another plane than this one is turned.
   [[nodiscard]] bool turns_other_than(const Plane& plane) const {

@@ -152,8 +152,10 @@ constexpr Profile meldas() {
   // M700V programming manual, fixed cycles G74 and G84, G76 and G87
   profile.has_synchronous_taps = true;
   profile.shifts_by_distances = true;
-  profile.skip_takes_r = true;             // M700V programming manual, skip function
-  profile.whole_with_point = "STDHLP";     // M700V programming manual, decimal point input, page 28
+  profile.skip_takes_r = true;  // M700V programming manual, skip function
+  // M700V programming manual, page 28 (7): what stands behind the point of these is ignored.  That
+  // more than a zero there is an alarm all the same is ours, and so is one behind M and N.
+  profile.whole_with_point = "STDHKLP";
   profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;

@@ -126,13 +126,14 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
   }
   int chords = path::chords_of(arc.sweep, radius, kChordErrorMm);
   std::vector<AxisPositions> turned;
-  if (turns_along_circle(channel, job)) {
+  if (has_direction(job.block)) {
     auto ends = pieces_of_turn(channel, channel.to_machine(job.q_W_end), job.q_W_end, chords);
     if (!ends) {
       return ends.error();
     }
-    turned = std::move(ends.value());
-    chords = static_cast<int>(turned.size());
+    const bool goes_along_circle = ends.value().size() > 1;
+    turned = goes_along_circle ? std::move(ends.value()) : turned;
+    chords = goes_along_circle ? static_cast<int>(turned.size()) : chords;
   }
   for (int i = 1; i <= chords; ++i) {
     const double fraction = static_cast<double>(i) / chords;
