@@ -244,6 +244,15 @@ TEST(Documents, SayThatTheLogIsNotWritten) {
   EXPECT_TRUE(has(told.at("diagnostics").at(0).at("message"), "/dev/full"));
 }
 
+TEST(Setup, EndsWithAProgramThatIsNone) {
+  const TemporaryFolder folder;
+  const std::string sheet = folder.write("a.toml", "[start]\nX = 1.0\n");
+  const CommandOutput output =
+      g31({"setup", sheet, "--program", folder.write("a.nc", "O1\nG00 X[1+\nM30\n")});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_TRUE(has(output.errors, "a.nc:2: FORMAT ERROR IN MACRO")) << output.errors;
+}
+
 TEST(Messages, OfSheetsHaveOneLine) {
   const TemporaryFolder folder;
   const std::string sheet = folder.write("e\x1b[31mx\ny.toml", "[probe]\nbogus=1\n");

@@ -71,6 +71,9 @@ Result<Listing, session::Refusal> listing_of(const session::ProgramPaths& paths,
   session::place_settings(job, listing.outcome.diagnostics);
   const source::SourceMap& sources = programs.value()->sources();
   listing.ended_at = end_of(listing.outcome, sources);
+  if (listing.outcome.status == runtime::Status::SyntaxError) {
+    return session::bad_input(listing.ended_at);
+  }
   // Places are looked up while the programs are there.
   for (source::Diagnostic& diagnostic : listing.outcome.diagnostics) {
     diagnostic.in_sheet = source::place_of(diagnostic, sources);
