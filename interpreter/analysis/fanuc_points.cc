@@ -64,10 +64,6 @@ class Reader {
     if (action_ == GAction::Dwell) {
       return is_in("UX", letter) ? std::optional(Counts{1000.0, 1000.0, 0.1}) : std::nullopt;
     }
-    if (letter == 'P' && action_ == GAction::HolePattern &&
-        block_.acting->set == fanuc::CodeSet::Meldas) {
-      return angle;
-    }
     const bool is_plane = action_ == GAction::TiltedPlane;
     if ((letter == 'R' && (is_plane || action_ == GAction::Rotation)) ||
         (is_plane && is_in(kDirections, letter))) {

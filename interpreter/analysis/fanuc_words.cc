@@ -85,6 +85,7 @@ class JudgedBlock {
   [[nodiscard]] std::vector<LostPoint> lost_points() const;
 
  private:
+  [[nodiscard]] bool calls_by_sheet() const;
   [[nodiscard]] Use use() const;
   [[nodiscard]] Use use_by_m(const EvaluatedWord& word) const;
   [[nodiscard]] std::vector<Word> without_return() const;
@@ -177,7 +178,19 @@ bool JudgedBlock::sets_other_data() const {
          fanuc::find_offset_form(number, runtime::OffsetMemory::C) == nullptr;
 }
 
+/// Whether the sheet makes a G code of the block a macro call, so that all of its words are
+/// arguments.
+bool JudgedBlock::calls_by_sheet() const {
+  return std::ranges::any_of(words_.words().all(), [&](const EvaluatedWord& word) {
+    return word.letter == 'G' &&
+           reading_.calling_codes.contains(fanuc::nearest_integer(word.number));
+  });
+}
+
 std::vector<LostPoint> JudgedBlock::lost_points() const {
+  if (calls_by_sheet()) {
+    return analysis::lost_points(words_.words(), {nullptr, false, true}, profile_, reading_.points);
+  }
   const Use use = this->use();
   if (use == Use::Return) {
     return JudgedBlock(without_return(), whole_, profile_, reading_).lost_points();

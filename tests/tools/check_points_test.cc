@@ -68,6 +68,25 @@ TEST(CheckPoints, ThatAreLostAreToldWhereTheyMakeALengthOfNothing) {
   EXPECT_EQ(told("", "fanuc-16i"), kExpected);
 }
 
+TEST(CheckPoints, OfACallThatTheSheetNamesAreThoseOfItsArguments) {
+  const std::string block = "G100 U50 R5. Z-7. A1.";
+  EXPECT_EQ(
+      told_of(block, "[macro_calls]\nG100 = 9010\n"),
+      (std::vector<std::string>{"2:6: U50 without a decimal point is 0.05 (under G20 0.005)"}));
+  EXPECT_TRUE(told_of(block, "").empty()) << "nobody knows what it calls";
+}
+
+TEST(CheckPoints, OfATiltedPlaneAreLost) {
+  EXPECT_EQ(told_in("O1\nG68.2 X10 Y0 Z5. I0 J30 K0\nG69\nM30\n", "", "fanuc-30i"),
+            (std::vector<std::string>{"2:7: X10 without a decimal point is 0.01 (under G20 0.001)",
+                                      "2:21: J30 without a decimal point is 0.03"}));
+  EXPECT_EQ(told_in("O1\nG68.2 P3 Q1 X0 Y0 Z0 I1 J0 K0\nG68.2 P3 Q2 I0 J.5 K1\nG69\nM30\n", "",
+                    "fanuc-30i"),
+            (std::vector<std::string>{"3:20: K1 without a decimal point is 0.001"}))
+      << "a direction alone has no unit";
+  EXPECT_TRUE(told_in("O1\nG68 X0. Y0. Z0. I0 J0 K1 R30.\nG69\nM30\n", "", "fanuc-30i").empty());
+}
+
 TEST(CheckPoints, OfAFeedAreLostOnAHaas) {
   std::vector<std::string> found = told("", "haas");
   EXPECT_EQ(std::erase(found, "3:11: F100 without a decimal point is 0.1 (under G20 0.01)"), 1U);

@@ -101,10 +101,12 @@ std::string check_examples() {
          "up in the file, beside it, in the other files named, in --lib, in the other folders "
          "below\n"
          "one that is named (the nearest first; never in other workpieces, *.WPD, of a SINUMERIK)\n"
-         "and among those that come with g31.  A G or M code that parameters make a macro call is\n"
-         "taken as it is.  A comment disables rules for its own line; alone on a line for the "
-         "next\n"
-         "block; before the first block for the file.\n\n";
+         "and among those that come with g31.  Words of a G code that the sheet makes a macro "
+         "call\n"
+         "are its arguments, those of an M code are taken as they are.  A comment disables rules "
+         "for\n"
+         "its own line; alone on a line for the next block; before the first block for the "
+         "file.\n\n";
 }
 
 }  // namespace g31::cli
