@@ -29,13 +29,18 @@ struct CodesOfBlock {
   const GCode* work_offset = nullptr;
   const GCode* tool_length = nullptr;
   const GCode* compensation = nullptr;
-  bool drills = false;    ///< in a canned cycle
-  bool has_mode = false;  ///< a code like G05.1 takes words of its own
-  bool is_open = false;   ///< what they do says the sheet, or the state before
+  bool drills = false;          ///< in a canned cycle
+  bool has_mode = false;        ///< a code like G05.1 takes words of its own
+  bool is_open = false;         ///< what they do says the sheet, or the state before
+  bool calls_by_sheet = false;  ///< one is a macro call by it: all words are arguments
 };
 
 bool is_g(const EvaluatedWord& word, double code) {
   return word.letter == 'G' && word.number == code;
+}
+
+bool is_called_by_sheet(double code, const WordReading& reading) {
+  return reading.calling_codes.contains(fanuc::nearest_integer(code));
 }
 
 bool is_macro_call(const EvaluatedWord& word) {
@@ -75,6 +80,7 @@ class JudgedBlock {
         continue;
       }
       codes_.is_open |= g_code_may_call(word.number, profile, reading);
+      codes_.calls_by_sheet |= is_called_by_sheet(word.number, reading);
       if (!is_macro_call(word) && !is_g(word, 67.0)) {
         take_code(codes_, word, profile);
       }
@@ -85,7 +91,6 @@ class JudgedBlock {
   [[nodiscard]] std::vector<LostPoint> lost_points() const;
 
  private:
-  [[nodiscard]] bool calls_by_sheet() const;
   [[nodiscard]] Use use() const;
   [[nodiscard]] Use use_by_m(const EvaluatedWord& word) const;
   [[nodiscard]] std::vector<Word> without_return() const;
@@ -178,17 +183,8 @@ bool JudgedBlock::sets_other_data() const {
          fanuc::find_offset_form(number, runtime::OffsetMemory::C) == nullptr;
 }
 
-/// Whether the sheet makes a G code of the block a macro call, so that all of its words are
-/// arguments.
-bool JudgedBlock::calls_by_sheet() const {
-  return std::ranges::any_of(words_.words().all(), [&](const EvaluatedWord& word) {
-    return word.letter == 'G' &&
-           reading_.calling_codes.contains(fanuc::nearest_integer(word.number));
-  });
-}
-
 std::vector<LostPoint> JudgedBlock::lost_points() const {
-  if (calls_by_sheet()) {
+  if (codes_.calls_by_sheet) {
     return analysis::lost_points(words_.words(), {nullptr, false, true}, profile_, reading_.points);
   }
   const Use use = this->use();
@@ -315,8 +311,7 @@ bool begins_data(Words words) {
 
 bool g_code_may_call(double code, const fanuc::Profile& profile, const WordReading& reading) {
   const GCode* const row = fanuc::find_g_code(code, profile);
-  return row == nullptr || row->set != fanuc::CodeSet::Family ||
-         reading.calling_codes.contains(fanuc::nearest_integer(code));
+  return row == nullptr || row->set != fanuc::CodeSet::Family || is_called_by_sheet(code, reading);
 }
 
 FanucWords::FanucWords(const fanuc::CompiledProgram& program, const fanuc::Profile& profile,

@@ -51,6 +51,14 @@ std::string english(const Report& report, std::string_view text) {
              : fmt::format(R"(<span lang="en">{}</span>)", escaped(text));
 }
 
+std::string empty_table(std::string_view id, std::string_view heading_id, std::string_view name,
+                        std::string_view why) {
+  return fmt::format(
+      R"html(<section class="card" aria-labelledby="{0}"><header><h2 id="{0}">{1}</h2></header><div class="tw"><table id="{2}"><tbody><tr><td class="wrapcell mut">{3}</td></tr></tbody></table></div></section>
+)html",
+      heading_id, name, id, why);
+}
+
 std::string table_label(const Report& report, std::string_view name) {
   return said(report.language, Word::TableOf, fmt::arg("name", name));
 }

@@ -33,6 +33,10 @@ std::string table_label(const Report& report, std::string_view name);
 inline std::string_view word(const Report& report, Word word) {
   return text_of(word, report.language);
 }
+/// A table of a report that has nothing for it: people and programs that look for it find why.
+/// @param heading_id  of its name
+std::string empty_table(std::string_view id, std::string_view heading_id, std::string_view name,
+                        std::string_view why);
 /// A link to a line of the listing; "" for no place.
 std::string link_to(const Place& place);
 /// A button that chooses a touch.

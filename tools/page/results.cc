@@ -226,14 +226,6 @@ std::string row_of(const Report& report, const Characteristic& row) {
   return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
 }
 
-/// A run that was asked for none: people and programs that look for them find why.
-std::string no_results(const Report& report) {
-  return fmt::format(
-      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{}</h2></header><div class="tw"><table id="results"><tbody><tr><td class="wrapcell mut">{}</td></tr></tbody></table></div></section>
-)html",
-      word(report, Word::Results), word(report, Word::NoResults));
-}
-
 /// Behind a heading: of which part.
 std::string of_which(const std::string& what) {
   return what.empty() ? std::string()
@@ -245,7 +237,9 @@ std::string of_which(const std::string& what) {
 std::string results_part(const Report& report) {
   if (report.results.empty()) {
     const bool are_elsewhere = std::ranges::any_of(report.tables, &Table::is_results);
-    return are_elsewhere ? std::string() : no_results(report);
+    return are_elsewhere ? std::string()
+                         : empty_table("results", "hres", word(report, Word::Results),
+                                       word(report, Word::NoResults));
   }
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(

@@ -66,10 +66,7 @@ std::string touches_part(const Report& report) {
   if (report.touches.empty()) {
     return report.frame.empty()
                ? std::string()
-               : fmt::format(
-                     R"(<section class="card" aria-labelledby="hto"><header><h2 id="hto">{}</h2></header><div class="tw"><table id="touches"><tbody><tr><td class="wrapcell mut">{}</td></tr></tbody></table></div></section>
-)",
-                     say(Word::Touches), say(Word::NoTouches));
+               : empty_table("touches", "hto", say(Word::Touches), say(Word::NoTouches));
   }
   const auto without =
       std::ranges::count_if(report.touches, [](const TouchRow& row) { return !row.is_triggered; });

@@ -101,15 +101,6 @@ bool wants_corner(const Channel& channel) {
          channel.corners.wish.kind != path::CornerWish::Kind::Sharp;
 }
 
-/// Whether the tool turns along a great circle meanwhile, which no arc of the machine does.
-bool turns_along_circle(Channel& channel, const Job& job) {
-  if (!has_direction(job.block)) {
-    return false;
-  }
-  const auto ends = pieces_of_turn(channel, channel.to_machine(job.q_W_end), job.q_W_end);
-  return !ends || ends.value().size() > 1;
-}
-
 /// In chords, for a machine whose arcs lie in planes of its axes.
 MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& arc) {
   if (channel.cutter.compensation.engaged() || wants_corner(channel)) {
@@ -238,7 +229,9 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   if (!plane.is_even) {
     return failure(AlarmId::NotImplemented, "a circle in an unequally scaled plane");
   }
-  if (plane.is_parallel && !turns_along_circle(channel, job)) {
+  const bool tool_turns =
+      has_direction(block) && turns_along_circle(channel, channel.to_machine(job.q_W_end));
+  if (plane.is_parallel && !tool_turns) {
     return move_in_arcs(channel, job, circle.value(), turns.value());
   }
   const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;

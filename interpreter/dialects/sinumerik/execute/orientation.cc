@@ -169,8 +169,8 @@ int pieces_between(const Channel& channel, const Vector3& from, const Vector3& t
 
 /// Where the axes that turn the tool come to on the way from where they stand, at the end of each
 /// piece: from piece to piece the nearer of their positions, so that none jumps to the other.
-std::optional<std::vector<AxisPositions>> turned_in_pieces(const Channel& channel,
-                                                           const Vector3& to, int pieces) {
+Result<std::vector<AxisPositions>, Failure> turned_in_pieces(const Channel& channel,
+                                                             const Vector3& to, int pieces) {
   AxisPositions q_M = channel.machine_position();
   const Vector3 from = channel.tool_direction(q_M);
   std::vector<AxisPositions> ends;
@@ -178,7 +178,7 @@ std::optional<std::vector<AxisPositions>> turned_in_pieces(const Channel& channe
     const auto turned = axes_for(
         channel, i == pieces ? to : between(from, to, static_cast<double>(i) / pieces), q_M);
     if (!turned) {
-      return std::nullopt;
+      return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
     }
     q_M.tail<kRotaryAxisCount>() = rotary_axes(*turned);
     ends.push_back(q_M);
@@ -274,12 +274,21 @@ MaybeFailure take_direction(const Channel& channel, const Block& block, AxisPosi
   }
   const Vector3 to = direction.normalized();
   const int pieces = pieces_between(channel, channel.tool_direction(q_M_from), to, 1);
-  const auto ends = pieces > 1 ? turned_in_pieces(channel, to, pieces) : std::nullopt;
-  if (pieces > 1 && !ends) {
-    return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
+  AxisPositions q_M_end = *q_M;
+  if (pieces > 1) {
+    const auto ends = turned_in_pieces(channel, to, pieces);
+    if (!ends) {
+      return ends.error();
+    }
+    q_M_end = ends.value().back();
   }
-  q_W_end = with_turn(channel, q_W_end, ends ? ends->back() : *q_M);
+  q_W_end = with_turn(channel, q_W_end, q_M_end);
   return std::nullopt;
+}
+
+bool turns_along_circle(const Channel& channel, const AxisPositions& q_M_end) {
+  return pieces_between(channel, channel.tool_direction(channel.machine_position()),
+                        channel.tool_direction(q_M_end), 1) > 1;
 }
 
 Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
@@ -292,18 +301,19 @@ Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
   if (pieces == 1) {
     return std::vector<AxisPositions>{q_W_end};
   }
-  auto ends = turned_in_pieces(channel, to, pieces);
-  if (!ends) {
-    return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
+  const auto turned = turned_in_pieces(channel, to, pieces);
+  if (!turned) {
+    return turned.error();
   }
   const AxisPositions q_W_from = channel.present();
+  std::vector<AxisPositions> ends;
   for (int i = 1; i < pieces; ++i) {
-    AxisPositions& q_end = (*ends)[static_cast<std::size_t>(i - 1)];
     const double fraction = static_cast<double>(i) / pieces;
-    q_end = with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), q_end);
+    ends.push_back(with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from),
+                             turned.value()[static_cast<std::size_t>(i - 1)]));
   }
-  ends->back() = q_W_end;
-  return *std::move(ends);
+  ends.push_back(q_W_end);
+  return ends;
 }
 
 MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,

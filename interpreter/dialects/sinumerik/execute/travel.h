@@ -18,6 +18,10 @@ MaybeFailure travel(Channel& channel, const path::PathBlock& path);
 /// @param q_W_end  where the path ends for the program
 MaybeFailure travel_to(Channel& channel, const path::PathBlock& path, const AxisPositions& q_W_end);
 
+/// Whether the tool turns in several pieces of a great circle, which no arc of the machine does.
+/// @param q_M_end  the rotary axes at its end
+bool turns_along_circle(const Channel& channel, const AxisPositions& q_M_end);
+
 /// Where the pieces of a way end on which the tool turns along a great circle, in work coordinates;
 /// one piece with ORIAXES.
 /// @param q_M_end  the rotary axes at its end
