@@ -74,6 +74,8 @@ COMMANDS = (
     ("setup", "wrong.toml", "--json", "-"),
     ("setup", "none.toml", "--json", "-"),
     ("new", "p.nc", "--json", "-"),
+    ("view", "p.nc", "--control", "none", "--json", "-"),
+    ("view", "p.nc", "--port", "65536", "--json", "-"),
     ("new", "other", "--control", "none", "--json", "-"),
     ("study", "none.toml", "--json", "-"),
     ("study", "wrong.toml", "--json", "-"),

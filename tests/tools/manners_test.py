@@ -264,7 +264,7 @@ class Manners(unittest.TestCase):
         everything = codes(())
         self.assertEqual(everything, codes(("run",)))
         for command, never in (("explain", {1, 3, 4, 6, 130}), ("check", {3, 4, 6}), ("completion", {1, 3, 4, 5, 6, 130}),
-                               ("manual", {1, 3, 4, 5, 6, 130}), ("view", {130}), ("evaluate", {3, 4})):
+                               ("manual", {1, 3, 4, 5, 6, 130}), ("view", {0, 1, 3, 4, 6}), ("evaluate", {3, 4})):
             self.assertEqual(codes((command,)) & never, set(), command)
 
     def test_documents_have_the_exit_code_of_a_run_whose_values_nobody_gets(self):
@@ -294,6 +294,17 @@ class Manners(unittest.TestCase):
                 run = subprocess.run([G31, *words], stdout=full, stderr=subprocess.PIPE, text=True)
             self.assertEqual(run.returncode, 2, words)
             self.assertIn("cannot write", run.stderr)
+
+    def test_a_document_is_left_where_nobody_can_be_told(self):
+        (self.folder / "s.toml").write_text("[probe]\nlength = 50.0\n")
+        (self.folder / "plan.json").write_text('{"schema": "g31.plan/1", "measures": [{"id": "D", "nominal": 1}]}')
+        (self.folder / "results.txt").write_text("D 1.000\n")
+        for words in (("setup", "s.toml"), ("explain", "G31"), ("new", "begun"), ("judge", "plan.json", "results.txt")):
+            with open("/dev/full", "w") as full:
+                run = subprocess.run([G31, *words, "--json", "a.json"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(run.returncode, 2, words)
+            self.assertIn("cannot write standard output: No space left on device", run.stderr)
+            self.assertNotIn("status", json.loads((self.folder / "a.json").read_text()), words)
 
     def test_every_command_that_is_refused_writes_its_document(self):
         (self.folder / "plan.json").write_text('{"schema": "g31.plan/1", "measures": [{"id": "D", "nominal": 1}]}')

@@ -104,7 +104,7 @@ class Inputs(Pipes):
 
     def test_a_view_ends_too(self):
         code, errors = self.interrupted(self.start("view", "pipe"))
-        self.assertEqual(code, 0, errors)
+        self.assertEqual(code, 130, errors)
 
     def test_a_document_tells_that_the_waiting_was_interrupted(self):
         code, errors = self.interrupted(self.start("run", "pipe", "--json", "a.json"))

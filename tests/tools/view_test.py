@@ -188,7 +188,7 @@ class Safety(Served):
                 self.view.send_signal(signal.SIGINT)
             if self.view.poll() is not None:
                 break
-        self.assertEqual(self.view.wait(timeout=GENEROUS), 0)
+        self.assertEqual(self.view.wait(timeout=GENEROUS), 130)
         self.assertLess(time.monotonic() - began, 2.0)
 
     def test_a_request_that_drips_is_given_up(self):
@@ -312,8 +312,27 @@ class Live(Served):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.nc", "a.toml"])
         self.view.send_signal(signal.SIGINT)
         out, err = self.view.communicate(timeout=GENEROUS)
-        self.assertEqual((self.view.returncode, out), (0, ""), err)
+        self.assertEqual((self.view.returncode, out), (130, ""), err)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["a.nc", "a.toml"])
+
+
+    def test_a_document_has_its_address(self):
+        self.start("--json", "where.json")
+        written = json.loads((self.folder / "where.json").read_text())
+        self.assertEqual(written, {"schema": "g31.view/1", "address": self.line.strip()})
+        alone = subprocess.Popen([G31, "view", "a.nc", "--json", "-"], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        self.addCleanup(alone.stdout.close)
+        self.addCleanup(alone.wait)
+        self.addCleanup(alone.kill)
+        written = json.loads("".join(alone.stdout.readline() for _ in range(4)))
+        self.assertRegex(written["address"], r"^http://127\.0\.0\.1:\d+/\?t=[0-9a-f]{32}$")
+
+    def test_its_document_takes_no_place_of_what_it_reads(self):
+        before = (self.folder / "a.nc").read_text()
+        view = subprocess.run([G31, "view", "a.nc", "--json", "a.nc"], cwd=self.folder, capture_output=True, text=True,
+                              timeout=GENEROUS)
+        self.assertEqual((view.returncode, view.stdout), (2, ""), view.stderr)
+        self.assertEqual((self.folder / "a.nc").read_text(), before)
 
 
 class Refused(Served):

@@ -27,7 +27,7 @@ constexpr CommandRow kCommands[] = {
      run_examples,
      [](const Options& options, const WordsOfAll&) { return run_command(options.run); }},
     {"view", "Show the run of an NC program in a browser, anew whenever a file of it is saved.",
-     kLasts, "",
+     kLasts, "g31.view/1",
      [](CLI::App& command, Options& options) { add_view_options(command, options.view); },
      view_examples,
      [](const Options& options, const WordsOfAll&) { return view_command(options.view); }},

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_expectations.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/write_out.h"
@@ -19,6 +21,8 @@
 
 namespace g31::cli {
 namespace {
+
+constexpr const char* kViewSchema = "g31.view/1";
 
 /// How soon runs follow each other: four at once, and no more than that in two seconds.  An input
 /// that is another one at each look, bad or good, keeps the computer busy no more than that.
@@ -78,20 +82,36 @@ std::optional<session::Refusal> wrong_words(const RunOptions& run) {
   return expectations ? std::nullopt : std::optional(expectations.error());
 }
 
+/// The document g31.view/1.
+std::string document_of(const std::string& address) {
+  const nlohmann::ordered_json document = {{"schema", kViewSchema}, {"address", address}};
+  constexpr int kIndent = 2;
+  return document.dump(kIndent) + "\n";
+}
+
 }  // namespace
 
 ExitCode view_command(const ViewOptions& options) {
+  if (const auto wrong = wrong_outputs({{"--json", options.json, true}},
+                                       {options.run.programs, options.run.setups})) {
+    return refuse(*wrong);
+  }
+  const auto refused = [&options](const session::Refusal& wrong) {
+    return refuse(wrong, options.json, kViewSchema);
+  };
   for (const auto& wrong : {wrong_words(options.run), why_no_page("g31 view")}) {
     if (wrong) {
-      return refuse(*wrong);
+      return refused(*wrong);
     }
   }
   const auto server = view::PageServer::open(options.port);
   if (!server) {
-    return refuse(session::bad_input(fmt::format("--port {}: {}", options.port, server.error())));
+    return refused(session::bad_input(fmt::format("--port {}: {}", options.port, server.error())));
   }
-  if (const auto wrong = write_out("-", server.value()->address() + "\n")) {
-    return refuse(*wrong);  // nobody would know where it is
+  const std::string address = server.value()->address();
+  if (const auto wrong = write_result(
+          options.json, [&] { return address + "\n"; }, [&] { return document_of(address); })) {
+    return refused(*wrong);  // nobody would know where it is
   }
   view::FileWatch files;
   for (const auto* const list : {&options.run.programs, &options.run.setups}) {
@@ -114,7 +134,7 @@ ExitCode view_command(const ViewOptions& options) {
                       [&](const std::string& path) { files.add(path); }};
     view_once(options, files, watch, interruption);
   }
-  return ExitCode::Completed;
+  return ExitCode::Interrupted;
 }
 
 }  // namespace g31::cli

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/limit_options.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/report_options.h"
 #include "tools/cli/run_options.h"
 
@@ -16,6 +17,10 @@ void add_view_options(CLI::App& view, ViewOptions& options) {
   view.add_option("--port", options.port, "of 127.0.0.1; 0, the default: any that is free")
       ->type_name("N")
       ->transform(whole_number(0, kLastPort));
+  view.add_option("--json", options.json,
+                  "document g31.view/1, which has the address; - is standard output")
+      ->type_name("FILE")
+      ->check(why_no_place);
 }
 
 std::string view_examples() {
@@ -25,8 +30,8 @@ std::string view_examples() {
          "  g31 view part.nc -s machine.toml --expect '#160=19.998+-0.001' --port 8031\n\n"
          "Open the address that it prints.  Save the program, a sheet, a subprogram or a part in\n"
          "your editor: the page is new at once; what is wrong shows there, too.  Only this\n"
-         "computer is answered, and only with the token of the address.  Nothing is written, no\n"
-         "variables file either.  Ctrl-C ends it, with exit code 0.\n\n";
+         "computer is answered, and only with the token of the address.  Nothing else is written,\n"
+         "no variables file either.  Ctrl-C ends it, with exit code 130.\n\n";
 }
 
 }  // namespace g31::cli

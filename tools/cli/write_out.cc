@@ -17,9 +17,13 @@ std::optional<session::Refusal> write_out(const std::string& path,
 std::optional<session::Refusal> write_result(const std::string& json,
                                              const std::function<std::string()>& for_people,
                                              const std::function<std::string()>& document) {
-  const bool is_document = json == "-";
-  auto wrong = write_out("-", is_document ? document() : for_people());
-  return wrong || is_document || json.empty() ? wrong : write_out(json, document());
+  if (json == "-") {
+    return write_out("-", document());
+  }
+  // The file is there before its reader hears of the end, and where nobody can hear of it.
+  auto unwritten = json.empty() ? std::nullopt : write_out(json, document());
+  auto untold = write_out("-", for_people());
+  return unwritten ? unwritten : untold;
 }
 
 }  // namespace g31::cli
