@@ -319,6 +319,39 @@ TEST(Raster, ABallCoversTheAreaOfItsCircle) {
   EXPECT_FALSE(raster.shows(view.seen({0, 0, 9.5}), 0.1));
 }
 
+TEST(Raster, NoGapIsBetweenFacetsWhosePixelsLieOnTheirEdge) {
+  parts::Mesh ring;
+  constexpr std::uint32_t kSteps = 720;
+  for (std::uint32_t i = 0; i < kSteps; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSteps;
+    const Point out(std::cos(angle), std::sin(angle), 0.0);
+    ring.vertices.insert(ring.vertices.end(), {10.0 * out, 20.0 * out});
+    const std::uint32_t here = 2 * i;
+    const std::uint32_t next = 2 * ((i + 1) % kSteps);
+    ring.triangles.push_back({here, here + 1, next});
+    ring.triangles.push_back({next, here + 1, next + 1});
+  }
+  View view;
+  view.width = 900;
+  view.height = 900;
+  for (int i = 0; i < 20; ++i) {
+    view.pixels_per_mm = 20.0 + 0.0937 * i;
+    view.p_M_middle = Point(0.0137 * i, 0.0137 * i, 0.0);
+    Raster raster(view, std::nullopt);
+    raster.draw(ring, {}, false);
+    int gaps = 0;
+    for (int y = 0; y < view.height; ++y) {
+      for (int x = 0; x < view.width; ++x) {
+        const double r = Eigen::Vector2d((x + 0.5 - 450.0) / view.pixels_per_mm + 0.0137 * i,
+                                         (450.0 - y - 0.5) / view.pixels_per_mm + 0.0137 * i)
+                             .norm();
+        gaps += r > 10.1 && r < 19.9 && raster.depth_at(x, y) != 0.0 ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(gaps, 0) << view.pixels_per_mm;
+  }
+}
+
 TEST(Raster, ACutShowsTheFaceWhereItWent) {
   View view;
   view.towards = Point(1, -1, 1).normalized();

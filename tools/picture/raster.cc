@@ -32,13 +32,15 @@ struct Span {
   double first;
   double last;
 
-  /// Only where a number that grows by `step` with each column is not negative.
+  /// Only where a number that grows by `step` with each column is not negative.  A pixel on the
+  /// edge of two triangles is of both, so that rounding leaves no gap between them.
   void keep(double at_zero, double step) {
+    constexpr double kSlack = 1e-6;  // columns
     if (step > 0.0) {
-      first = std::max(first, std::ceil(-at_zero / step));
+      first = std::max(first, std::ceil(-at_zero / step - kSlack));
     } else if (step < 0.0) {
-      last = std::min(last, std::floor(-at_zero / step));
-    } else if (at_zero < 0.0) {
+      last = std::min(last, std::floor(-at_zero / step + kSlack));
+    } else if (at_zero < -kSlack) {
       last = first - 1.0;
     }
   }
@@ -91,6 +93,7 @@ void Raster::draw(const Point& a, const Point& b, const Point& c, const Pen& pen
   const auto last = [](double most, int size) { return std::min(size - 1.0, most - 0.5); };
   const Span all = {first(std::min({p.x, q.x, r.x})), last(std::max({p.x, q.x, r.x}), view_.width)};
   const double y_last = last(std::max({p.y, q.y, r.y}), view_.height);
+  const auto [lowest, highest] = std::minmax({p.depth, q.depth, r.depth});
   const double u_step = (q.y - r.y) / whole;
   const double v_step = (r.y - p.y) / whole;
   for (double y = first(std::min({p.y, q.y, r.y})); y <= y_last; ++y) {
@@ -105,7 +108,7 @@ void Raster::draw(const Point& a, const Point& b, const Point& c, const Pen& pen
       const double v_here = v + x * v_step;
       const double w_here = 1.0 - u_here - v_here;
       put(static_cast<int>(x), static_cast<int>(y),
-          u_here * p.depth + v_here * q.depth + w_here * r.depth, pen);
+          std::clamp(u_here * p.depth + v_here * q.depth + w_here * r.depth, lowest, highest), pen);
     }
   }
 }
