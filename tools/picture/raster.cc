@@ -19,6 +19,8 @@ constexpr std::uint8_t kCutY = 2;
 /// Of a material: its cut face.
 constexpr unsigned kCutFace = 0x8000U;
 constexpr int kHatchPixels = 14;
+/// Surfaces that are no further apart lie in one plane: the first one is seen, without a line.
+constexpr double kOneDepthMm = 1e-6;
 
 Rgb mixed(Rgb a, Rgb b, double share) {
   const auto mix = [share](std::uint8_t from, std::uint8_t to) {
@@ -62,7 +64,10 @@ Raster::Raster(const View& view, std::optional<CutOpen> cut)
                  {kNothing, 0, 0, false}) {}
 
 void Raster::draw(const parts::Mesh& mesh_M, const Material& material, bool cut_open) {
-  materials_.push_back(material);
+  const bool is_first = materials_.size() == 1;  // which is the paper
+  if (is_first || cut_open || materials_.back() != material) {
+    materials_.push_back(material);
+  }
   const auto number = static_cast<std::uint16_t>(materials_.size() - 1);
   for (std::uint32_t t = 0; t < mesh_M.triangles.size(); ++t) {
     const auto n = parts::facet_normal(mesh_M, t);
@@ -116,7 +121,7 @@ void Raster::draw(const Point& a, const Point& b, const Point& c, const Pen& pen
 void Raster::put(int x, int y, double depth, const Pen& pen) {
   Fragment& here = fragments_[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.width) +
                               static_cast<std::size_t>(x)];
-  if (depth <= here.depth || (pen.cut_open && cut_->removes(place_of(x, y, depth)))) {
+  if (depth <= here.depth + kOneDepthMm || (pen.cut_open && cut_->removes(place_of(x, y, depth)))) {
     return;
   }
   here = {depth, pen.material, pen.shade, pen.cut_open && pen.faces_away};
@@ -173,7 +178,7 @@ bool Raster::is_line(int x, int y) const {
                                                  &at(x, y - kReach), &at(x, y + kReach)};
   for (const Fragment* const other : around) {
     if (other->material != here.material) {
-      return here.depth > other->depth;
+      return here.depth > other->depth + kOneDepthMm;
     }
   }
   if (here.material == 0) {

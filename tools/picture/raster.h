@@ -14,6 +14,8 @@ struct Rgb {
   std::uint8_t r = 0;
   std::uint8_t g = 0;
   std::uint8_t b = 0;
+
+  bool operator==(const Rgb&) const = default;
 };
 
 /// What a surface looks like.
@@ -21,6 +23,8 @@ struct Material {
   Rgb light;  ///< where it faces the light
   Rgb dark;   ///< where it faces away from it
   Rgb cut;    ///< where it is cut open
+
+  bool operator==(const Material&) const = default;
 };
 
 /// Solid bodies as a viewer sees them, drawn facet by facet with a depth for each pixel.
@@ -28,7 +32,8 @@ class Raster {
  public:
   Raster(const View& view, std::optional<CutOpen> cut);
 
-  /// @param cut_open  whether the cut goes through it, as through parts
+  /// Pieces that look alike, one behind the other, are one body without lines between them.
+  /// @param cut_open  whether the cut goes through it, as through parts, which are bodies each
   void draw(const parts::Mesh& mesh_M, const Material& material, bool cut_open);
 
   /// The depth of the surface at a pixel, mm; minus infinity: there is none.  Outside the picture
