@@ -60,6 +60,19 @@ class ProgramRun {
   runtime::Outcome outcome_;
 };
 
+/// NC programming 12/2019, 3.4.1.4: the subprogram first, then the main program, folder by folder.
+TEST(SinumerikLibrary, OfASubprogramAndAMainProgramSideBySideACallTakesTheFirst) {
+  ProgramRun beside({{"main.mpf", "PART\nM30\n"},
+                     {"lib/part.mpf", "R1=2\nM30\n"},
+                     {"lib/part.spf", "R1=1\nM17\n"},
+                     {"shipped/part.spf", "R1=3\nM17\n"}});
+  EXPECT_EQ(beside.number("R1"), 1.0);
+  ProgramRun apart({{"main.mpf", "PART\nM30\n"},
+                    {"lib/part.mpf", "R1=2\nM17\n"},
+                    {"shipped/part.spf", "R1=3\nM17\n"}});
+  EXPECT_EQ(apart.number("R1"), 2.0);
+}
+
 TEST(SinumerikProgramName, HasManyForms) {
   struct Case {
     const char* written;

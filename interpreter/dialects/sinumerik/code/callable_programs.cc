@@ -71,9 +71,28 @@ const CompiledProgram* CallablePrograms::find(std::string_view written, const Ne
   return find_named({name.stem + "_" + name.suffix, "", name.folder}, near);
 }
 
+/// Reads the files of that stem in the folder of a program.
+void CallablePrograms::load_beside(const FiledProgram& program) {
+  for (const auto& folder : library_.folders()) {
+    const auto [first, last] = folder.equal_range(program.name().stem);
+    for (auto file = first; file != last; ++file) {
+      if (file->second.starts_with(folder_of(program)) &&
+          file->second.find_first_of("/\\", folder_of(program).size()) == std::string::npos &&
+          !is_loaded(file->second)) {
+        load(file->second);
+      }
+    }
+  }
+}
+
 const CompiledProgram* CallablePrograms::find_named(const ProgramName& name, const Near& near) {
   do {
-    if (FiledProgram* const program = find_loaded(name, near)) {
+    FiledProgram* program = find_loaded(name, near);
+    if (program != nullptr && name.suffix.empty() && !is_subprogram(*program)) {
+      load_beside(*program);
+      program = find_loaded(name, near);
+    }
+    if (program != nullptr) {
       return &program->code(globals());
     }
   } while (load_for(name));
@@ -82,8 +101,10 @@ const CompiledProgram* CallablePrograms::find_named(const ProgramName& name, con
 
 const CompiledProgram* CallablePrograms::written(const std::string& name, const std::string& text) {
   texts_.push_back(library_.sources().passing(name, text));
-  const ProgramSource source{
-      program_name(name).stem, texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+  const ProgramName parts = program_name(name);
+  ProgramSource source{
+      parts.stem, texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+  source.type = parts.suffix;
   made_.push_back(compile(source, globals()));
   return made_.back().get();
 }

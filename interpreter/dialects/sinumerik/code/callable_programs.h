@@ -21,7 +21,8 @@ namespace g31::sinumerik {
 ///
 /// Programs of one name may lie in several folders of the control's memory, which `;$PATH=` behind
 /// a header names.  A call takes the one in the folder that it names; else that of the calling
-/// program's folder, of SPF_DIR, of CALLPATH, in this order; else the first one.
+/// program's folder, of SPF_DIR, of CALLPATH, in this order; else the first one.  Of PART.SPF and
+/// PART.MPF side by side PART calls the first.
 class CallablePrograms {
  public:
   /// @param library  must outlive the programs
@@ -66,6 +67,7 @@ class CallablePrograms {
   FiledProgram* find_loaded(const ProgramName& name, const Near& near);
   bool load_for(const ProgramName& name);
   void load(const std::string& path);
+  void load_beside(const FiledProgram& program);
   [[nodiscard]] bool is_loaded(const std::string& path) const;
 
   ProgramLibrary& library_;

@@ -220,6 +220,7 @@ struct ActionSteps {
 struct CompiledProgram {
   std::string name;    ///< "PART1"
   std::string folder;  ///< of $PATH; empty: not said
+  std::string type;    ///< "MPF", "SPF"; empty: not said
   const source::SourceFile* file = nullptr;
   std::vector<Op> ops;
   std::vector<ShortSpan> spans;  ///< one per op

@@ -15,6 +15,7 @@ struct ProgramSource {
   const source::SourceFile* file = nullptr;
   ShortSpan text;           ///< without its header
   std::string folder = {};  ///< of $PATH; empty: not said
+  std::string type = {};    ///< "MPF", "SPF"; empty: not said
   bool is_shipped = false;  ///< comes with the control: macros of others do not reach into it
   bool leads = false;       ///< a main program: variables of another one do not reach into it
 };

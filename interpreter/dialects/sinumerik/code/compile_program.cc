@@ -45,6 +45,7 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
   seen_macros_.push_back(is_shipped_ ? &globals.shipped_macros : &globals.offered_macros);
   program_.name = source.name;
   program_.folder = source.folder;
+  program_.type = source.type;
   program_.file = source.file;
   program_.leads = source.leads;
   program_.sees_main = purpose == Purpose::Program && !source.is_shipped && !source.leads;
@@ -53,6 +54,7 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
 void Compiler::know_locals_of(const CompiledProgram& home) {
   program_.name = home.name;
   program_.folder = home.folder;
+  program_.type = home.type;
   program_.sees_main = home.sees_main;
   program_.saves_codes = home.saves_codes;
   program_.hides_blocks = home.hides_blocks;

@@ -32,7 +32,7 @@ const Compiler::Handler* Compiler::find_handler(std::string_view name) {
 void Compiler::read_block(ShortSpan span) {
   std::vector<Token>& tokens = cursor_.tokens();
   scanner_.scan(span, tokens);
-  expand_macros(tokens, seen_macros_);
+  const bool fits = expand_macros(tokens, seen_macros_);
   if (tokens.size() == 1) {
     return;  // nothing, or macros that stand for nothing
   }
@@ -40,8 +40,12 @@ void Compiler::read_block(ShortSpan span) {
     find_letter_names(tokens, program_.locals);
   }
   begin_block({tokens.front().where.begin, tokens[tokens.size() - 2].where.end});
-  block_head();
-  statement();
+  if (fits) {
+    block_head();
+    statement();
+  } else {
+    fail(AlarmId::TooComplex, block());
+  }
   if (failed()) {
     program_.has_wrong_proc =
         program_.has_wrong_proc || (definitions_.is_first_block() && program_.has_proc);

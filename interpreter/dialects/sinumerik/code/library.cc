@@ -17,7 +17,17 @@ bool is_of_macros(const FiledProgram* program) {
   return program->name().stem.ends_with("MAC");
 }
 
+/// In one folder of the control's memory, and their files in one folder.
+bool lie_beside(const FiledProgram& one, const FiledProgram& other) {
+  return one.name().folder == other.name().folder && folder_of(one) == folder_of(other);
+}
+
 }  // namespace
+
+std::string_view folder_of(const FiledProgram& program) {
+  const std::string_view path = program.source().file->name();
+  return path.substr(0, path.find_last_of("/\\") + 1);
+}
 
 FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
                       const std::vector<std::string>& folders) {
@@ -26,15 +36,24 @@ FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
       return !folder.empty() && folder == program.name().folder;
     });
   };
+  const auto goes_before = [&](const FiledProgram& program, const FiledProgram& other) {
+    const auto place = rank(program) - rank(other);
+    return place < 0 || (place == 0 && is_subprogram(program) && !is_subprogram(other) &&
+                         lie_beside(program, other));
+  };
   FiledProgram* best = nullptr;
   for (FiledProgram* const program : programs) {
     const bool fits =
         name.suffix.empty() ? is_callable(program->name()) : program->name().suffix == name.suffix;
-    if (fits && (best == nullptr || rank(*program) < rank(*best))) {
+    if (fits && (best == nullptr || goes_before(*program, *best))) {
       best = program;
     }
   }
   return best;
+}
+
+bool is_subprogram(const FiledProgram& program) {
+  return program.name().suffix == "SPF";
 }
 
 ProgramFile* ProgramLibrary::file(const std::string& path) {

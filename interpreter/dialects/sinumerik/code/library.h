@@ -19,10 +19,16 @@ namespace g31::sinumerik {
 /// Programs in the order of their files.
 using ProgramList = std::vector<FiledProgram*>;
 
-/// The program with the best place among those of one stem, the first one of equals; nullptr:
-/// none has the suffix that the name says.
+/// The program with the best place among those of one stem, the first one of equals, a subprogram
+/// before a main program that lies beside it (NC programming 12/2019, 3.4.1.4); nullptr: none has
+/// the suffix that the name says.
 FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
                       const std::vector<std::string>& folders);
+
+/// Whether it is one by its type, which calls take first.
+bool is_subprogram(const FiledProgram& program);
+/// The folder of its file with the slash behind it; empty: none is said.
+std::string_view folder_of(const FiledProgram& program);
 
 /// The files of a control's memory, their texts and the code of their programs: what is the same
 /// for all sessions.  Files are added first; from then on any number of threads may ask.

@@ -102,6 +102,7 @@ ProgramFile::ProgramFile(const source::SourceFile& text, bool is_shipped) : text
         &text_,
         {static_cast<std::uint32_t>(piece.begin), static_cast<std::uint32_t>(piece.end)},
         name.folder,
+        name.suffix,
         is_shipped};
     programs_.push_back(std::make_unique<FiledProgram>(std::move(name), std::move(source)));
   }

@@ -8,6 +8,9 @@
 namespace g31::sinumerik {
 namespace {
 
+/// How many tokens macros may add to a block: a block of a control has 512 characters.
+constexpr std::size_t kMostAdded = 1024;
+
 using SeenMacros = std::span<const Macros* const>;
 
 bool may_be_macro(const Token& token, SeenMacros seen) {
@@ -27,9 +30,9 @@ const Macro* find_macro(std::string_view name, SeenMacros seen) {
 
 }  // namespace
 
-void expand_macros(std::vector<Token>& tokens, SeenMacros seen) {
+bool expand_macros(std::vector<Token>& tokens, SeenMacros seen) {
   if (std::ranges::none_of(tokens, [&](const Token& token) { return may_be_macro(token, seen); })) {
-    return;
+    return true;
   }
   std::vector<Token> all;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -46,6 +49,9 @@ void expand_macros(std::vector<Token>& tokens, SeenMacros seen) {
       all.push_back(tokens[i]);
       continue;
     }
+    if (all.size() + macro->tokens.size() > tokens.size() + kMostAdded) {
+      return false;
+    }
     const syntax::ShortSpan where = tokens[i].where;
     for (Token token : macro->tokens) {
       token.where = where;
@@ -54,6 +60,7 @@ void expand_macros(std::vector<Token>& tokens, SeenMacros seen) {
     i += used - 1;
   }
   tokens = std::move(all);
+  return true;
 }
 
 void find_letter_names(std::vector<Token>& tokens, const NameMap<std::int32_t>& locals) {

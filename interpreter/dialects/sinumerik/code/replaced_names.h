@@ -12,9 +12,10 @@
 namespace g31::sinumerik {
 
 /// Replaces the names that DEFINE has made, once: what stands in their place is taken as it is.
-/// @param tokens  of a block, the end included
+/// @param tokens  of a block, the end included; stay as they are where that would be too many
 /// @param seen    by the program, those that come first at the front
-void expand_macros(std::vector<Token>& tokens, std::span<const Macros* const> seen);
+/// @returns whether the block is not too long for it
+bool expand_macros(std::vector<Token>& tokens, std::span<const Macros* const> seen);
 
 /// A letter that DEF or PROC took as a name is one, unless a number follows it; a letter and a
 /// number are, where they are defined together.

@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/sinumerik/run/called_programs.h"
 #include "interpreter/dialects/sinumerik/run/functions.h"
+#include "interpreter/dialects/sinumerik/run/named_variable.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "machine/base/contract.h"
 #include "machine/base/letters.h"
@@ -24,16 +25,6 @@ MaybeFailure needs_one_character(Operands& at, const Op& op, Arguments list) {
              ? std::nullopt
              : MaybeFailure(
                    failure(AlarmId::BadArguments, function::name_of(op) + ": one character"));
-}
-
-/// R1, NAME or NAME[..]: whether there is one of this name.
-bool is_variable(const Globals& globals, const CompiledProgram& program, std::string_view name) {
-  const std::string stem = upper(name.substr(0, name.find('[')));
-  const bool is_r = stem.size() > 1 && stem.front() == 'R' &&
-                    std::ranges::all_of(stem.substr(1), [](char c) { return is_digit(c); });
-  return is_r || program.locals.contains(stem) || globals.find(stem) != nullptr ||
-         (program.sees_main && globals.find_of_main(stem) != nullptr) ||
-         find_system_variable(stem).has_value();
 }
 
 }  // namespace
@@ -191,7 +182,7 @@ MaybeFailure axis_of_name(const Globals& globals, Operands& at, const Op& op, Ar
 }
 
 MaybeFailure knows_variable(const Globals& globals, Operands& at, const Op& op, Arguments list) {
-  at.number(op.result) = is_variable(globals, at.program(), at.text(list[0].value)) ? 1.0 : 0.0;
+  at.number(op.result) = names_variable(globals, at.program(), at.text(list[0].value)) ? 1.0 : 0.0;
   return std::nullopt;
 }
 

@@ -61,9 +61,14 @@ Result<double, Failure> call_depth(const CallStack& stack, const SystemAccess& /
   return static_cast<double>(stack.depth());
 }
 
+/// In the notation of the control's memory (NC programming 12/2019, 3.4.1.5).
 Result<std::string, Failure> level_name(const CallStack& stack, const SystemAccess& access) {
   const auto which = static_cast<std::size_t>(access.indices[0]);
-  return which <= stack.depth() ? stack.level(which).program->name : std::string();
+  if (which > stack.depth()) {
+    return std::string();
+  }
+  const CompiledProgram& program = *stack.level(which).program;
+  return "_N_" + program.name + "_" + (program.type.empty() ? "MPF" : program.type);
 }
 
 Result<double, Failure> modal_call_active(const CallStack& stack, const SystemAccess& /*access*/) {

@@ -112,7 +112,27 @@ std::optional<std::string> hexadecimal(double number) {
   return fmt::format("{:X}", bits_of(whole));
 }
 
+/// As an INT, which is the nearest whole number.
+std::optional<std::string> whole(double number) {
+  constexpr double kLargest = 2147483647.0;
+  const double nearest = std::floor(number + 0.5);
+  return nearest >= -kLargest - 1.0 && nearest <= kLargest
+             ? std::optional(fmt::format("{:.0f}", nearest))
+             : std::nullopt;
+}
+
+/// Whether the language makes of a value what a directive shows (Programming Manual Job Planning,
+/// implicit conversions): a text is no number, and an axis is its name alone.
+bool converts(char kind, Type type) {
+  constexpr std::string_view kNumbers = "DFEGX";
+  return kind == 'S' || (type != Type::Axis &&
+                         (type != Type::String || kNumbers.find(kind) == std::string_view::npos));
+}
+
 std::optional<std::string> converted(const Directive& directive, const SprintValue& value) {
+  if (!converts(directive.kind, value.type)) {
+    return std::nullopt;
+  }
   const int places = directive.places.value_or(kPlaces);
   const double number = without_sign_of_zero(value.number);
   switch (directive.kind) {
@@ -122,7 +142,7 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
     case 'C':
       return value.type == Type::String ? value.text.substr(0, 1) : character(value.number);
     case 'D':
-      return fmt::format("{:.0f}", std::floor(value.number + 0.5));
+      return whole(value.number);
     case 'F':
       return fmt::format("{:.{}f}", number, places);
     case 'E':
@@ -142,6 +162,7 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
 
 std::string filled(const Directive& directive, std::string text) {
   const bool is_number = std::string_view("DFEG").find(directive.kind) != std::string_view::npos;
+  const bool has_digits = is_number || directive.kind == 'X';
   if (directive.plus && is_number && !text.starts_with('-')) {
     text.insert(0, "+");
   }
@@ -154,7 +175,7 @@ std::string filled(const Directive& directive, std::string text) {
     return text + std::string(missing, ' ');
   }
   const bool signed_text = text.starts_with('-') || text.starts_with('+');
-  const bool zeros = directive.zeros && is_number;
+  const bool zeros = directive.zeros && has_digits;
   text.insert(zeros && signed_text ? 1 : 0, std::string(missing, zeros ? '0' : ' '));
   return text;
 }
