@@ -24,6 +24,20 @@ class Refusals(unittest.TestCase):
     def g31(self, *words):
         return kept_documents.run([G31, *words], self.folder, capture_output=True, text=True)
 
+    def test_a_program_changes_and_deletes_nothing_that_its_run_is_made_of(self):
+        sheet = '[control]\nprofile = "sinumerik-828d"\nfiles = "."\n'
+        for does in ('WRITE(E,"w.toml","x")', 'DELETE(E,"w.mpf")'):
+            program = f'DEF INT E\nWRITE(E,"log.txt","x")\n{does}\nM30\n'
+            (self.folder / "w.mpf").write_text(program)
+            (self.folder / "w.toml").write_text(sheet)
+            run = self.g31("run", "w.mpf", "-s", "w.toml", "--json", "a.json")
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn("it would take the place of what is to be read", run.stderr)
+            self.assertEqual(json.loads((self.folder / "a.json").read_text())["exit_code"], 2)
+            self.assertEqual((self.folder / "w.mpf").read_text(), program)
+            self.assertEqual((self.folder / "w.toml").read_text(), sheet)
+            self.assertFalse((self.folder / "log.txt").exists())
+
     def test_a_whole_number_is_one_in_its_range(self):
         largest, exact = 2**64 - 1, 2**53
         run, study = ("run", "a.nc"), ("study", "a.toml")

@@ -15,6 +15,7 @@
 #include "tools/cli/desk.h"
 #include "tools/cli/ended_wait.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/printouts.h"
 #include "tools/cli/refusal_document.h"
 #include "tools/cli/run_expectations.h"
@@ -113,13 +114,20 @@ session::Heard carried_out(const OpenedRun& opened, Desk& desk, ResultWatch& wat
 }
 
 /// Saves what the run leaves behind.  What a defect left is told, not kept; a program that was
-/// refused has left nothing.
+/// refused has left nothing.  What the run was made of stays as it was.
 std::optional<Refusal> keep_state(const OpenedRun& opened, const runtime::Outcome& outcome) {
   const bool has_run = outcome.status != runtime::Status::SyntaxError || outcome.blocks > 0;
   const bool leaves_nothing = opened.options.watch != nullptr;
-  return has_run && !leaves_nothing && outcome.status != runtime::Status::Defect
-             ? opened.run.keep_state()
-             : std::nullopt;
+  if (!has_run || leaves_nothing || outcome.status == runtime::Status::Defect) {
+    return std::nullopt;
+  }
+  const InputLists inputs = {opened.options.programs, setup::files_of(opened.prepared.job)};
+  for (const std::string& file : opened.run.kept_files()) {
+    if (auto wrong = wrong_place({{"WRITE or DELETE of", file}}, inputs)) {
+      return wrong;
+    }
+  }
+  return opened.run.keep_state();
 }
 
 /// Where a run writes while it goes, and behind it.
