@@ -98,13 +98,31 @@ TEST(HolePattern, OfMeldas) {
   EXPECT_EQ(ControlRun("fanuc-16i", cycle + "G34I10.K4").alarm(), 10);
 }
 
+/// G34.1 is the circle of a Mazak, G34 is none, and G37.1 is no measuring.
+TEST(HolePattern, AMazakHasGridsAndItsOwnCircle) {
+  const std::string cycle = "G81Z-5.R1.F100.L0\n";
+  EXPECT_EQ(bottoms(cycle + "G37.1X10.Y10.I5.P3J7.K2", "mazatrol-iso"),
+            (Lines{"10.000 10.000 -5.000", "15.000 10.000 -5.000", "20.000 10.000 -5.000",
+                   "20.000 17.000 -5.000", "15.000 17.000 -5.000", "10.000 17.000 -5.000"}));
+  EXPECT_EQ(bottoms(cycle + "G37.1I-5.P2K1", "mazatrol-iso"),
+            (Lines{"0.000 0.000 -5.000", "-5.000 0.000 -5.000"}));
+  EXPECT_EQ(bottoms(cycle + "G34.1I10.J0K-4", "mazatrol-iso").at(1), "0.000 -10.000 -5.000");
+  EXPECT_EQ(ControlRun("mazatrol-iso", cycle + "G37.1I5.P3J7.").alarm(), 221);
+  EXPECT_EQ(ControlRun("mazatrol-iso", cycle + "G37.1P3K2").alarm(), 32);
+  EXPECT_NE(ControlRun("mazatrol-iso", cycle + "G34I10.K4").alarm(), 0);
+  EXPECT_NE(ControlRun("meldas", cycle + "G34.1I10.K4").alarm(), 0);
+}
+
 TEST(HolePattern, EveryCodeHasItsWords) {
   for (const GCode& code : g_codes()) {
     if (code.action == GAction::HolePattern) {
-      const bool is_meldas = code.set == CodeSet::Meldas;
-      const std::string block = fmt::format("{}I10.P20.K3L3", to_text(code.number));
-      EXPECT_EQ(bottoms("G81Z-5.R1.F100.L0\n" + block, is_meldas ? "meldas" : "haas").size(), 3)
-          << block;
+      const bool is_grid = code.number == GNumber{37, 1};
+      const std::string control = code.set == CodeSet::Haas    ? "haas"
+                                  : code.set == CodeSet::Mazak ? "mazatrol-iso"
+                                                               : "meldas";
+      const std::string block =
+          fmt::format("{}I10.{}K3L3", to_text(code.number), is_grid ? "J5.P1" : "P20.");
+      EXPECT_EQ(bottoms("G81Z-5.R1.F100.L0\n" + block, control).size(), 3) << block;
     }
   }
 }

@@ -54,6 +54,8 @@ without a word: what they say has nothing to act on here.
   for lathes, are refused where they show what they are (PRB003).
 * Fanuc, five axes: tilted planes and tool centre point control run; the radius is not compensated in space, and without
   parameter 1422 an axis that would be too fast slows the move instead of alarm 5422.
+* Mazak EIA: data of MAZATROL and the variables that show them or the tool data (#3020 and on, #5501 and on, #40000 to
+  #69999), IF .. THEN over several blocks with ELSE and ENDIF, and the M codes of its measuring are not there.
 )";
 
 bool is_not_simulated(const runtime::Entry& entry) {
@@ -84,6 +86,10 @@ std::string not_simulated_page() {
     const std::string_view name = session::name_of(control);
     if (name == "fanuc-30i") {
       add_control(page, "Fanuc", control);
+    } else if (name == "meldas") {
+      add_control(page, "MELDAS", control);
+    } else if (name == "mazatrol-iso") {
+      add_control(page, "Mazak EIA/ISO", control);
     } else if (name == "haas") {
       add_control(page, "Haas", control);
     } else if (name == "brother") {

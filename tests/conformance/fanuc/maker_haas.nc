@@ -1117,3 +1117,26 @@ G20
 M30
 %
 (EXPECT ALARM 10 AT 4)
+
+(CASE #7001 to #7386 are G154 P1 to P20, and #7501 and on tell of pallets: manual 96-8000 p. 113, 96-0012 p. 25)
+%
+O1
+#7501=3.
+#7806=2.
+#7381=4.
+#100=#14501
+#101=#14381
+#102=#7501+#7806
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 4)
+(EXPECT #102 = 5)
+
+(CASE #7401 is no variable of a Haas)
+%
+O1
+#7401=1.
+M30
+%
+(EXPECT ALARM 115 AT 3)

@@ -242,6 +242,7 @@ M99
 (EXPECT ALARM 275 AT 3)
 
 (CASE G37 and G37.1 take R, D and F in the place of parameters 6251, 6254 and 6241)
+(CONTROL meldas)
 (SOURCE M700V programming manual 15.1)
 (SHEET [tools.1])
 (SHEET length = 100.0)
@@ -268,7 +269,26 @@ M30
 (EXPECT MOVE 4 Z160)
 (EXPECT MOVE 5 Z147)
 
+(CASE a Mazak measures with G37, too)
+(CONTROL mazatrol-iso)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+(START Z = 300)
+(PARAMETER 6241 = 50)
+(PARAMETER 6254 = 10)
+(SIGNAL Z139.5)
+%
+O1
+G43 H1
+G90 G37 Z40. R5. D1. F80.
+#100=#2001+#2201
+M30
+%
+(EXPECT #100 = 99.5)
+(EXPECT MOVE 2 Z145)
+
 (CASE G37.1 whose signal comes outside of D)
+(CONTROL meldas)
 (SHEET [tools.1])
 (SHEET length = 100.0)
 (START Z = 300)
@@ -281,7 +301,7 @@ G43 H1
 G90 G37.1 Z40. R5. D0.4
 M30
 %
-(EXPECT ALARM 607 AT 10)
+(EXPECT ALARM 607 AT 11)
 
 (CASE MB-305 P of a helix counts whole turns beside the angle between its ends, of one pitch)
 %

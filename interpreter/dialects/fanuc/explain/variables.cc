@@ -95,27 +95,28 @@ std::string axis_name(int axis) {
                                              : fmt::format("axis {}", axis + 1);
 }
 
-std::string system_name(int system) {
+std::string system_name(int system, const Profile& profile) {
   constexpr int kG53 = 53;
   if (system == 0) {
     return "external offset";
   }
-  return system <= kWorkSystems ? fmt::format("G{}", kG53 + system)
-                                : fmt::format("G54.1 P{}", system - kWorkSystems);
+  return system <= kWorkSystems
+             ? fmt::format("G{}", kG53 + system)
+             : fmt::format("{}{}", profile.additional_system, system - kWorkSystems);
 }
 
 /// Which axis, offset or group one number of a row means; "" where the row says it.
-std::string meaning_of(const SystemVariable& row, int number) {
+std::string meaning_of(const SystemVariable& row, int number, const Profile& profile) {
   const int index = number - row.first;
   if (row.shows == Shows::WorkOffset || row.shows == Shows::AdditionalOffset) {
     const bool is_additional = row.shows == Shows::AdditionalOffset;
     const int place = is_additional ? index : number - kFirstWorkOffset;
     const int first_system = is_additional ? kWorkSystems + 1 : 0;
-    return fmt::format("{}, {}", system_name(first_system + place / kNumbersPerSystem),
+    return fmt::format("{}, {}", system_name(first_system + place / kNumbersPerSystem, profile),
                        axis_name(place % kNumbersPerSystem));
   }
   if (row.shows == Shows::LegacyOffset) {
-    return system_name(index);
+    return system_name(index, profile);
   }
   if (row.unit == Unit::Axis) {
     return axis_name(index);
@@ -126,10 +127,10 @@ std::string meaning_of(const SystemVariable& row, int number) {
   return row.shows == Shows::ModalGroup ? fmt::format("group {}", index + 1) : "";
 }
 
-Entry entry_of(const SystemVariable& row, const Range& asked) {
+Entry entry_of(const SystemVariable& row, const Range& asked, const Profile& profile) {
   Entry entry{"system variable", name_of(asked), std::string(row.text), {}};
   if (asked.first == asked.last) {
-    if (std::string meaning = meaning_of(row, asked.first); !meaning.empty()) {
+    if (std::string meaning = meaning_of(row, asked.first, profile); !meaning.empty()) {
       entry.facts.push_back({"here", std::move(meaning)});
     }
     if (row.first != row.last) {
@@ -201,7 +202,7 @@ Entries variables(std::string_view topic, const Profile& profile) {
   for (const SystemVariable* const row : index.rows()) {
     const Range part = common(row->first, row->last);
     if (part.first <= part.last) {
-      Entry entry = entry_of(*row, part);
+      Entry entry = entry_of(*row, part, profile);
       std::ranges::move(other_meanings(row, part, profile), std::back_inserter(entry.facts));
       found.push_back(std::move(entry));
     }

@@ -38,11 +38,12 @@ std::optional<int> system_in_name(std::string_view name) {
 }
 
 /// The name that a sheet has for a system.
-std::string name_of_system(int which) {
+std::string name_of_system(int which, const Profile& profile) {
   constexpr int kFirst = 53;  // G54 is 1
-  return which == 0                       ? std::string("EXT")
-         : which <= Coordinates::kSystems ? fmt::format("G{}", kFirst + which)
-                                          : fmt::format("G54.1 P{}", which - Coordinates::kSystems);
+  return which == 0 ? std::string("EXT")
+         : which <= Coordinates::kSystems
+             ? fmt::format("G{}", kFirst + which)
+             : fmt::format("{}{}", profile.additional_system, which - Coordinates::kSystems);
 }
 
 void tell_machine(Control& control, std::vector<runtime::RefusedSetting>& refused) {
@@ -316,7 +317,7 @@ std::map<std::string, runtime::TableValue> Session::tables() const {
   for (int which = 0; which <= Coordinates::kSystems + Coordinates::kAdditional; ++which) {
     const AxisPositions& q_M = control.coordinates.system(which);
     for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-      add(fmt::format("work_offsets.{}.{}", name_of_system(which),
+      add(fmt::format("work_offsets.{}.{}", name_of_system(which, control.profile),
                       kAxisLetters[static_cast<std::size_t>(axis)]),
           q_M[axis]);
     }

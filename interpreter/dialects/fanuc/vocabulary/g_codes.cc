@@ -35,7 +35,13 @@ consteval bool g_codes_rise() {
 static_assert(g_codes_rise(), "g_codes.def: rows must rise, of one number by their set");
 
 constexpr std::size_t kKeys = 1000 * 10;
-constexpr std::size_t kSets = static_cast<std::size_t>(CodeSet::Brother) + 1;
+constexpr std::size_t kSets = static_cast<std::size_t>(CodeSet::Mazak) + 1;
+
+/// Whether a control whose own codes are `set` has the row, if no row behind it takes its place.
+constexpr bool has(std::size_t set, const GCode& row) {
+  return row.set == CodeSet::Family || static_cast<std::size_t>(row.set) == set ||
+         (row.set == CodeSet::Meldas && set == static_cast<std::size_t>(CodeSet::Mazak));
+}
 
 /// Row index + 1 by set and key: a million blocks look their codes up here.
 constexpr auto kIndex = [] {
@@ -44,7 +50,7 @@ constexpr auto kIndex = [] {
     const GCode& row = kGCodeRows[i];
     for (std::size_t set = 0; set < kSets; ++set) {
       // Of one number the family's row comes first: that of the set takes its place.
-      if (row.set == CodeSet::Family || static_cast<std::size_t>(row.set) == set) {
+      if (has(set, row)) {
         index[set][key(row.number)] = static_cast<std::uint8_t>(i + 1);
       }
     }

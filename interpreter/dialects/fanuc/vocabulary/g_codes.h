@@ -74,8 +74,9 @@ constexpr bool is_passed_over(GAction action) {
   return action == GAction::Unsimulated;
 }
 
-/// Which controls of the family have a G code.
-enum class CodeSet : std::uint8_t { Family, Meldas, Haas, Brother };
+/// Which controls of the family have a G code; a Mazak has those of MELDAS, too, and its own in the
+/// place of theirs.
+enum class CodeSet : std::uint8_t { Family, Meldas, Haas, Brother, Mazak };
 
 /// Groups of modal codes; the value is n of #4000+n, which shows the code in force.
 enum class Group : std::uint8_t {

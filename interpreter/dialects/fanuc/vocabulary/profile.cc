@@ -163,7 +163,7 @@ constexpr Profile meldas() {
   profile.macro_alarm.largest = 9999;
   profile.blocks_read = 5;
   profile.modal_layout = meldas_modal_layout();
-  profile.variables = {Basic,          WordsByNumber,  OffsetsMeldas,
+  profile.variables = {Basic,          WordsByNumber,  OffsetsAt7001, OffsetsMeldas,
                        ExternalOffset, ExecutingModal, MeldasCommons};
   profile.surface_axis = ParameterId::MeldasSurfaceAxis;
   profile.lowest_speed_word = 'Q';
@@ -183,6 +183,7 @@ constexpr Profile mazatrol_iso() {
   profile.alarm_prefix = "";
   profile.has_symbol_logic = true;
   profile.start_letter = 'Q';
+  profile.own_g_codes = CodeSet::Mazak;
   return profile;
 }
 
@@ -249,6 +250,7 @@ constexpr Profile haas() {
   profile.tool_measurement = ToolMeasurement::ToTravelEnd;
   profile.dwell_point_is_seconds = true;
   // Mill operator's manual (NGC) 2017, G154, G10 L20, M109
+  profile.additional_system = "G154 P";
   profile.additional_systems = 99;
   profile.asks_for_keys = true;
   profile.parameter_settings = kSettingsOfHaas;

@@ -220,8 +220,9 @@ struct Profile {
   MacroAlarmRule macro_alarm;
   ModalLayout modal_layout = fanuc_modal_layout();
   VariableGroups variables = {VariableGroup::Basic,         VariableGroup::WordsByNumber,
-                              VariableGroup::LegacyOffsets, VariableGroup::LongOffsets,
-                              VariableGroup::OffsetsC,      VariableGroup::ExternalOffset};
+                              VariableGroup::LegacyOffsets, VariableGroup::OffsetsAt7001,
+                              VariableGroup::LongOffsets,   VariableGroup::OffsetsC,
+                              VariableGroup::ExternalOffset};
 
   ScaleRule scale;
   /// R of G68 is modal: it counts for later ones without R, behind G69, too, and one under G91 is
@@ -249,7 +250,8 @@ struct Profile {
   /// G10 with axes and without P sets the work system in force, also without L; else L2 without P
   /// sets the external offset, and G10 without L a tool offset.
   bool sets_system_in_force = false;
-  int additional_systems = kAdditionalSystems;  ///< P of G54.1 and G10 L20 goes up to it
+  std::string_view additional_system = "G54.1 P";  ///< what calls one, its number behind it
+  int additional_systems = kAdditionalSystems;     ///< P of G54.1 and G10 L20 goes up to it
   bool enters_diameters = false;      ///< R of G10 L12 and L13 is a diameter; else a radius
   double offset_limit_mm = 1000.0;    ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';           ///< repeats of a canned cycle (MB-312)

@@ -41,6 +41,7 @@ enum class VariableGroup : std::uint8_t {
   Series30i,
   ExecutingModal,  ///< modal data of the block in execution
   LegacyOffsets,   ///< #2500 to #2806
+  OffsetsAt7001,   ///< #7001 to #7960: G54.1 P1 to P48
   LongOffsets,     ///< #14001 to #20000: G54.1 P1 to P300
   OffsetsA,        ///< tool offset memory A: one value a number
   OffsetsB,        ///< geometry and wear
