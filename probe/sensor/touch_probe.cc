@@ -133,12 +133,22 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const Tip& ball, Poin
 
 void TouchProbe::look_on(Search& search, const machine::Sweep& sweep) const {
   const BallWay way = way_of(search.ball, sweep);
+  const auto pressed = look_on_planes(search, sweep, way);
+  if (pressed && way.length > 0.0) {
+    settle(search, sweep, *pressed);
+  }
+}
+
+std::optional<Pressed> TouchProbe::look_on_planes(Search& search, const machine::Sweep& sweep,
+                                                  const BallWay& way) const {
   const double begin = search.gone;
   search.gone += way.length;
+  std::optional<Pressed> met;
   PressedSurfaces surfaces = surfaces_on(search.ball, way);
   std::optional<Signal>& first = search.first;
   double until = first ? first->distance - begin : std::numeric_limits<double>::infinity();
   while (const auto surface = surfaces.next(until)) {
+    met = met ? met : surface;
     if (first && first->touch.part == surface->part &&
         first->touch.hit.n_M.dot(surface->hit.n_M) >= PressedSurfaces::kToldCosine) {
       continue;  // what the signal comes from
@@ -152,9 +162,10 @@ void TouchProbe::look_on(Search& search, const machine::Sweep& sweep) const {
     }
     // From a free start no deflection is longer than the way since the first touch.
     if (surface->is_from_free && until - surface->s <= setup_.at_switch.pre_travel_mm + kSoonMm) {
-      return;
+      break;
     }
   }
+  return met;
 }
 
 PressedSurfaces TouchProbe::surfaces_on(const Tip& ball, const BallWay& way) const {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -35,8 +36,8 @@ namespace g31::probe {
 /// it touches or not: the same seed and program give the same touches.
 ///
 /// Accuracy: the contact as MeshSweeper finds it, kContactErrorMm.  The deflection is taken on the
-/// tangent plane of the contact: exact on a plane and head-on, otherwise within d^2 / 2R for a
-/// deflection d on a surface of radius R.
+/// tangent planes of what is met where the surfaces say the same within 1 nm; elsewhere, over edges
+/// and along what curves, it is looked for step by step (touch_probe_pressing.cc).
 class TouchProbe final : public machine::Surroundings {
  public:
   /// @param seed  of every random model; with repeatability 0 it does not matter
@@ -127,6 +128,14 @@ class TouchProbe final : public machine::Surroundings {
     double gone = 0.0;            ///< mm: where the piece begins
     std::optional<Signal> first;  ///< be it behind the piece
   };
+  /// How much deflection is missing somewhere, and the touch of which it is.
+  struct Pressing {
+    double s = 0.0;        ///< mm of the way of the ball
+    double missing = 0.0;  ///< mm, negative where it is deeper in
+    PartHit touch;
+  };
+  /// mm: the deflection wanted along a normal; nullopt: what is met there does not count.
+  using Need = std::function<std::optional<double>(const Point& n_M)>;
   using Points = std::span<const machine::Waypoint>;
   [[nodiscard]] bool is_wired(int input) const;
   std::optional<machine::SkipTrigger> first_touch_along(Points way);
@@ -150,9 +159,10 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
   /// mm: the deflection that breaks the stylus.
   [[nodiscard]] double limit_of(const Tip& ball) const;
-  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const Pressed& surface,
-                                                                 const Tip& ball,
-                                                                 const BallWay& way) const;
+  /// Where a ball is pressed in as far as that, from a place of its way on.
+  [[nodiscard]] std::optional<machine::Obstacle> over_limit(const Tip& ball,
+                                                            const machine::Sweep& sweep,
+                                                            double from) const;
   void add(const ToolBody& body);
   void note(const machine::ToolChange& change);
   void note(const machine::SpindleTurn& turn);
@@ -174,6 +184,20 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<Signal> first_signal(const Tip& ball, Points way, double until) const;
   /// Looks at one more piece.
   void look_on(Search& search, const machine::Sweep& sweep) const;
+  /// The same by tangent planes.  @returns what is met first
+  std::optional<Pressed> look_on_planes(Search& search, const machine::Sweep& sweep,
+                                        const BallWay& way) const;
+  /// Asks the surfaces of a piece whether the signal comes where tangent planes say.
+  /// @param pressed  what the ball meets first in it
+  void settle(Search& search, const machine::Sweep& sweep, const Pressed& pressed) const;
+  /// Of what presses a ball somewhere, the tool standing still, that of which least is missing.
+  [[nodiscard]] std::optional<Pressing> pressing_at(const Tip& ball, const machine::Waypoint& at,
+                                                    const Need& need) const;
+  /// Where first nothing is missing any more.  @param from  mm of the way of the ball
+  [[nodiscard]] std::optional<Pressing> first_pressing(const Tip& ball, const machine::Sweep& sweep,
+                                                       double from, const Need& need) const;
+  /// mm of the way: where a ball that is free at `s` touches; infinity: nowhere.
+  [[nodiscard]] double next_contact(const Tip& ball, const BallWay& way, double s) const;
   /// Contact and number of signals.
   [[nodiscard]] machine::SkipTrigger trigger_of(const PartHit& touch) const;
   /// The random shift of a trigger along the move, mm.
