@@ -11,10 +11,12 @@
 #include <system_error>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
 #include "machine/base/letters.h"
+#include "parts/geometry/facet_normal.h"
 #include "parts/import/assimp_file.h"
 #include "parts/import/mesh_limits.h"
 #include "parts/import/mesh_unit.h"
@@ -245,6 +247,24 @@ Read read_in_mm(const std::string& path, const MeshFileReading& how) {
   return mesh;
 }
 
+/// Of a mesh that has triangles and finite vertices.
+std::optional<std::string> why_no_surface(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Point& p : mesh.vertices) {
+    box.extend(p);
+  }
+  if (const double size = box.sizes().maxCoeff(); size < kSmallestMm) {
+    return fmt::format("it is {} mm large; {} mm is the least: say its unit, or its scale", size,
+                       kSmallestMm);
+  }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (facet_normal(mesh, t)) {
+      return std::nullopt;
+    }
+  }
+  return "none of its triangles has an area; expected a surface";
+}
+
 /// What holds of a mesh from whatever file.
 std::optional<std::string> why_unusable(const Mesh& mesh) {
   if (mesh.triangles.empty()) {
@@ -265,7 +285,7 @@ std::optional<std::string> why_unusable(const Mesh& mesh) {
                          p.y(), p.z(), kFarthestMm);
     }
   }
-  return std::nullopt;
+  return why_no_surface(mesh);
 }
 
 }  // namespace

@@ -15,5 +15,7 @@ inline constexpr std::uint64_t kMostBytesReadWhole = std::uint64_t{512} << 20U;
 inline constexpr std::size_t kMostCorners = 10'000;
 /// Coordinates, mm: as those of a set-up sheet (units.def of tools/setup).
 inline constexpr double kFarthestMm = 1e6;
+/// How large a part is at least, mm: a smaller one is a slip in its unit.
+inline constexpr double kSmallestMm = 1e-3;
 
 }  // namespace g31::parts

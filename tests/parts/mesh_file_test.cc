@@ -127,6 +127,18 @@ TEST_F(MeshFile, KeepsDegenerateTriangles) {
   EXPECT_EQ(read.value().triangles.size(), 2U);
 }
 
+TEST_F(MeshFile, WithoutAnyAreaOrOfNoSizeIsNoSurface) {
+  const auto flat =
+      read_mesh_file(write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\nf 1 2 4\n"));
+  ASSERT_FALSE(flat.ok());
+  EXPECT_NE(flat.error().find("none of its triangles has an area"), std::string::npos);
+  const auto small =
+      read_mesh_file(write("small.obj", "v 0 0 0\nv 1e-4 0 0\nv 0 1e-4 0\nf 1 2 3\n"));
+  ASSERT_FALSE(small.ok());
+  EXPECT_NE(small.error().find(" mm large; 0.001 mm is the least"), std::string::npos)
+      << small.error();
+}
+
 TEST_F(MeshFile, SaysWhatIsWrongInOneLine) {
   const std::string stl = binary_stl(testing::box_mesh({3, 2, 1}));
   std::string not_finite = stl;

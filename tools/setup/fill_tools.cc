@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -288,7 +289,9 @@ void join_probe(Job& job, int number, const Location& where, ErrorList& errors) 
   tool = number;
 }
 
-void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& errors) {
+/// @param known  numbers of the tools before it
+void fill_tool(Job& job, const Sheet& sheet, std::size_t order, std::set<int>& known,
+               ErrorList& errors) {
   const SheetTable& table = list_of(sheet, SectionId::Tool)[order];
   const TableKeys keys(table);
   const Entry* const number = keys.find(KeyId::ToolWhich);
@@ -309,7 +312,7 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   check_core(tool, keys, errors);
   const Entry* const tip = keys.find(KeyId::ToolTipAngle);
   check_tip(tool, tip != nullptr ? tip->where : table.where, errors);
-  if (std::ranges::find(job.tools, tool.number, &probe::ToolSetup::number) != job.tools.end()) {
+  if (!known.insert(tool.number).second) {
     errors.add(SetupErrorId::GivenTwice, number->where,
                {fmt::format("[[tool]] with number {}", tool.number)});
     return;
@@ -330,8 +333,9 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
 
 void fill_tools(Job& job, const Sheet& sheet, ErrorList& errors) {
   const std::size_t count = list_of(sheet, SectionId::Tool).size();
+  std::set<int> known;
   for (std::size_t order = 0; order < count; ++order) {
-    fill_tool(job, sheet, order, errors);
+    fill_tool(job, sheet, order, known, errors);
   }
 }
 

@@ -142,6 +142,10 @@ void preset_variables(Control& control, const runtime::ControlSetup& setup,
       refused.push_back(
           {"variables." + name,
            fmt::format("variable {}: a local variable, which no control keeps", name)});
+    } else if (value && std::fabs(*value) > control.evaluator.largest_result()) {
+      refused.push_back({"variables." + name,
+                         fmt::format("variable {}: {} is beyond the numbers of this control, {}",
+                                     name, *value, control.evaluator.largest_result())});
     } else if (!preset(number, value)) {
       refused.push_back(
           {"variables." + name, fmt::format("variable {}: cannot be set on this control", name)});

@@ -128,9 +128,10 @@ bool Evaluator::is_in_range(double result) const {
 }
 
 Cell Evaluator::in_range(double result) {
-  return is_in_range(result)
-             ? Cell(result)
-             : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
+  return is_in_range(result) ? Cell(result)
+                             : fail(AlarmId::ResultOutOfRange,
+                                    std::isfinite(result) ? fmt::format("the result is {}", result)
+                                                          : "the result is beyond all numbers");
 }
 
 Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, double round_to) {

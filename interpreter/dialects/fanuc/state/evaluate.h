@@ -59,6 +59,7 @@ class Evaluator {
   [[nodiscard]] bool failed() const { return fault_.has_value(); }
 
   void set_rules(const EvaluationRules& rules) { rules_ = rules; }
+  [[nodiscard]] double largest_result() const { return rules_.largest_result; }
 
  private:
   Cell rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
