@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "tools/disk/part_file.h"
+#include "tools/disk/pipe_stream.h"
 #include "tools/disk/shipped.h"
 #include "tools/disk/waiting.h"
 
@@ -214,10 +215,17 @@ std::optional<std::string> write_whole_file(const std::string& path, std::string
 std::optional<std::string> write_whole_file(const std::string& path,
                                             const std::function<void(PartFile&)>& write) {
   const auto file = PartFile::create(path);
-  if (file) {
-    write(*file.value());
+  if (!file) {
+    return cannot_write(path, file.error());
   }
-  const auto reason = file ? file.value()->finish() : file.error();
+  try {
+    file.value()->mind_interruption();
+    write(*file.value());
+  } catch (const PartFile::BrokenOff&) {
+    give_up_output(GivenUp::Interrupted);
+    return cannot_write(path, words_for(ECANCELED));
+  }
+  const auto reason = file.value()->finish();
   return reason ? std::optional(cannot_write(path, *reason)) : std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/disk/part_file.h"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -16,6 +18,7 @@
 
 #include "tools/disk/pipe_stream.h"
 #include "tools/disk/still_at.h"
+#include "tools/disk/waiting.h"
 
 namespace g31::disk {
 namespace {
@@ -23,6 +26,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSuffix = ".part";
+
+/// Names of temporary files, where a handler of signals finds them; nullptr: a free place.
+std::array<std::atomic<const char*>, 16> unfinished = {};
+
+void note_unfinished(const char* name) {
+  for (std::atomic<const char*>& place : unfinished) {
+    const char* free = nullptr;
+    if (place.compare_exchange_strong(free, name)) {
+      return;
+    }
+  }
+}
+
+void forget_unfinished(const char* name) {
+  for (std::atomic<const char*>& place : unfinished) {
+    const char* here = name;
+    place.compare_exchange_strong(here, nullptr);
+  }
+}
 
 std::string last_error() {
   return words_for(errno);
@@ -197,10 +219,13 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   if (::stat(name.c_str(), &is) == 0) {
     take_after(file, is);
   }
-  return made(file, name, temporary);
+  auto unnamed = made(file, name, temporary);
+  note_unfinished(unnamed->temporary_.c_str());
+  return unnamed;
 }
 
 PartFile::~PartFile() {
+  forget_unfinished(temporary_.c_str());
   if (file_ != nullptr && temporary_.empty()) {
     close();
   } else if (file_ != nullptr) {
@@ -209,7 +234,14 @@ PartFile::~PartFile() {
   }
 }
 
+void PartFile::mind_interruption() {
+  minds_interruption_ = !is_interrupted();
+}
+
 void PartFile::write(std::string_view text) {
+  if (minds_interruption_ && is_interrupted()) {
+    throw BrokenOff();
+  }
   if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
     error_ = errno;
   }
@@ -257,6 +289,14 @@ std::optional<std::string> PartFile::finish() {
     ::close(lock);
   }
   return error_ == 0 ? std::nullopt : std::optional(words_for(error_));
+}
+
+void remove_unfinished_files() {
+  for (const std::atomic<const char*>& place : unfinished) {
+    if (const char* const name = place) {
+      ::unlink(name);
+    }
+  }
 }
 
 std::optional<std::string> why_not_begun(const std::string& path) {

@@ -37,7 +37,13 @@ class PartFile {
   ~PartFile();
 
   /// What goes wrong is told by finish().
+  /// @throws BrokenOff
   void write(std::string_view text);
+
+  /// Thrown by write() of a file that minds it, when the program is interrupted.
+  struct BrokenOff {};
+  /// An interruption from now on breaks the writing off.
+  void mind_interruption();
 
   /// What was written is to be seen by who reads a device or a pipe.
   void flush();
@@ -55,7 +61,11 @@ class PartFile {
   std::string path_;
   std::string temporary_;  ///< "": it is written in place
   int error_ = 0;          ///< errno of the first failure
+  bool minds_interruption_ = false;
 };
+
+/// Removes what has no name yet, for a handler of a signal that ends the program.
+void remove_unfinished_files();
 
 /// Why PartFile would not begin, asked before the work that fills it; a device or a pipe is not
 /// disturbed before there is something to write.

@@ -39,8 +39,7 @@ double now_s() {
 
 /// Why nobody waits any longer, whomever for; nullopt: they do.
 std::optional<GivenUp> why_over() {
-  const std::atomic<bool>* const is_over = interruption;
-  if (is_over != nullptr && *is_over) {
+  if (is_interrupted()) {
     return GivenUp::Interrupted;
   }
   return now_s() > last_s ? std::optional(GivenUp::Time) : std::nullopt;
@@ -58,6 +57,11 @@ bool is_ready(int descriptor, short event) {
 
 void give_up_waiting_when(const std::atomic<bool>& is_over) {
   interruption = &is_over;
+}
+
+bool is_interrupted() {
+  const std::atomic<bool>* const is_over = interruption;
+  return is_over != nullptr && *is_over;
 }
 
 WaitingLimit::WaitingLimit(double seconds) {
@@ -99,6 +103,10 @@ std::optional<GivenUp> wait_for_output(int descriptor, double stall_s) {
     }
   }
   return std::nullopt;
+}
+
+void give_up_output(GivenUp why) {
+  output_given_up.keep(why);
 }
 
 std::optional<GivenUp> given_up_input() {

@@ -17,6 +17,9 @@ enum class GivenUp : std::uint8_t {
 /// at once.  @param is_over  outlives the program's work
 void give_up_waiting_when(const std::atomic<bool>& is_over);
 
+/// Whether that is true.
+bool is_interrupted();
+
 /// While it lives nobody waits beyond its time.  There is one at a time.
 class WaitingLimit {
  public:
@@ -40,6 +43,9 @@ std::optional<GivenUp> why_give_up_output(double waited_s, double stall_s);
 
 /// Waits until a pipe takes something.  @returns nullopt: it does; else why not
 std::optional<GivenUp> wait_for_output(int descriptor, double stall_s);
+
+/// Nobody who reads what we write gets the rest of it.
+void give_up_output(GivenUp why);
 
 /// Why waiting has been given up since the last WaitingLimit began, for input and for who reads
 /// what we write; nullopt: it has not.
