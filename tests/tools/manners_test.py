@@ -288,6 +288,12 @@ class Manners(unittest.TestCase):
             self.assertIn("?[31m", said.stderr)
             self.assertNotIn("\x1b", said.stderr)
 
+    def test_names_of_files_move_no_cursor_of_who_reads_annotations(self):
+        (self.folder / "a\x1b[31m.nc").write_text("%\nO1\nG0 X1\nM30\n%\n")
+        said = self.g31("check", "a\x1b[31m.nc", "--format", "github")
+        self.assertIn("file=a%1B[31m.nc,line=3", said.stdout)
+        self.assertNotIn("\x1b", said.stdout + said.stderr)
+
     def test_what_explain_and_help_cannot_write_is_told(self):
         for words in (("explain", "ring"), ("--help",), ("run", "--help"), ("--version",)):
             with open("/dev/full", "w") as full:

@@ -19,13 +19,13 @@ std::string_view level_of(const analysis::Finding& finding) {
   return source::name_of(analysis::info(finding.rule).level);
 }
 
-/// GitHub's own escapes.
+/// GitHub's own escapes, of control characters too, which move no cursor of who reads the log.
 std::string escaped(std::string_view text, bool is_property) {
   std::string all;
   for (const char c : text) {
-    const bool is_special =
-        c == '%' || c == '\n' || c == '\r' || (is_property && (c == ':' || c == ','));
-    all += is_special ? fmt::format("%{:02X}", static_cast<unsigned>(c)) : std::string(1, c);
+    const auto code = static_cast<unsigned char>(c);
+    const bool is_special = c == '%' || code < ' ' || (is_property && (c == ':' || c == ','));
+    all += is_special ? fmt::format("%{:02X}", code) : std::string(1, c);
   }
   return all;
 }

@@ -34,6 +34,8 @@ without a word: what they say has nothing to act on here.
 * Under G96 the feed of a block is the mean over its way: its time is right, its speed in between is not.  Where a
   chamfer or a rounding cuts the way, that is the mean of the whole.  Rapids change the speed as feeds do.  A thread (G33) begins at once, wherever the spindle
   stands.
+* A skip move of a machine whose axes lag ends at once where they come to rest: a trace steps there by what is left of
+  the lag, the in-position window at most.
 * A Fanuc tapping cycle (G74, G84) goes in and out once, whatever its Q: pecks of rigid tapping are passed over (PRB304).
 * Where axes lag, or moves pass on into each other, a collision is found when the axes come to it, behind blocks that
   have been read ahead: what these have set, printed and counted stays, with the times at which it would have been.
