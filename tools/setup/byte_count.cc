@@ -46,7 +46,8 @@ Result<std::uint64_t, std::string> parse_byte_count(std::string_view text) {
       return static_cast<std::uint64_t>(std::round(bytes));
     }
   }
-  return fmt::format("\"{}\" is not a size from 1 byte to 1000000G: write 1000000, 500K, 64M or 2G", text);
+  return fmt::format("\"{}\" is not a size from 1 byte to 1000000G: write 1000000, 500K, 64M or 2G",
+                     text);
 }
 
 }  // namespace g31::setup
