@@ -134,7 +134,9 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const Tip& ball, Poin
 void TouchProbe::look_on(Search& search, const machine::Sweep& sweep) const {
   const BallWay way = way_of(search.ball, sweep);
   const auto pressed = look_on_planes(search, sweep, way);
-  if (pressed && way.length > 0.0) {
+  if (!pressed) {
+    search.first.reset();  // it was of a plane behind the end of its surface
+  } else if (way.length > 0.0) {
     settle(search, sweep, *pressed);
   }
 }

@@ -36,8 +36,10 @@ namespace g31::probe {
 /// it touches or not: the same seed and program give the same touches.
 ///
 /// Accuracy: the contact as MeshSweeper finds it, kContactErrorMm.  The deflection is taken on the
-/// tangent planes of what is met where the surfaces say the same within 1 nm; elsewhere, over edges
-/// and along what curves, it is looked for step by step (touch_probe_pressing.cc).
+/// tangent planes of what is met.  Where one surface holds the ball and is not as deep as these say
+/// within 1 nm, over an edge or along what curves, the place is looked for step by step
+/// (touch_probe_pressing.cc); a signal that comes and goes within one piece of the way, of which
+/// tangent planes say nothing, is not found.
 class TouchProbe final : public machine::Surroundings {
  public:
   /// @param seed  of every random model; with repeatability 0 it does not matter
@@ -132,7 +134,12 @@ class TouchProbe final : public machine::Surroundings {
   struct Pressing {
     double s = 0.0;        ///< mm of the way of the ball
     double missing = 0.0;  ///< mm, negative where it is deeper in
+    bool is_alone = true;  ///< nothing else presses the ball
     PartHit touch;
+  };
+  struct FirstPressing {
+    bool is_decided = true;  ///< false: several surfaces press it on the way
+    std::optional<Pressing> at;
   };
   /// mm: the deflection wanted along a normal; nullopt: what is met there does not count.
   using Need = std::function<std::optional<double>(const Point& n_M)>;
@@ -159,10 +166,14 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
   /// mm: the deflection that breaks the stylus.
   [[nodiscard]] double limit_of(const Tip& ball) const;
-  /// Where a ball is pressed in as far as that, from a place of its way on.
-  [[nodiscard]] std::optional<machine::Obstacle> over_limit(const Tip& ball,
-                                                            const machine::Sweep& sweep,
-                                                            double from) const;
+  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const Pressed& surface,
+                                                                 const Tip& ball,
+                                                                 const BallWay& way) const;
+  /// Asks the surfaces whether the deflection limit is reached where tangent planes say.
+  /// @param broken  what these say; what holds, behind it
+  /// @param from    mm of the way of the ball, where something presses it first
+  void settle_limit(std::optional<machine::Obstacle>& broken, const Tip& ball,
+                    const machine::Sweep& sweep, double from) const;
   void add(const ToolBody& body);
   void note(const machine::ToolChange& change);
   void note(const machine::SpindleTurn& turn);
@@ -194,8 +205,8 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<Pressing> pressing_at(const Tip& ball, const machine::Waypoint& at,
                                                     const Need& need) const;
   /// Where first nothing is missing any more.  @param from  mm of the way of the ball
-  [[nodiscard]] std::optional<Pressing> first_pressing(const Tip& ball, const machine::Sweep& sweep,
-                                                       double from, const Need& need) const;
+  [[nodiscard]] FirstPressing first_pressing(const Tip& ball, const machine::Sweep& sweep,
+                                             double from, const Need& need) const;
   /// mm of the way: where a ball that is free at `s` touches; infinity: nowhere.
   [[nodiscard]] double next_contact(const Tip& ball, const BallWay& way, double s) const;
   /// Contact and number of signals.

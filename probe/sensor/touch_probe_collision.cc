@@ -87,18 +87,28 @@ std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& swe
   for (const Tip& ball : balls_) {
     const BallWay way = way_of(ball, sweep);
     PressedSurfaces surfaces = surfaces_on(ball, way);
+    double until = way.length;
+    std::optional<machine::Obstacle> of_ball;
     std::optional<Pressed> first;
-    while (const auto surface = surfaces.next(way.length)) {
+    while (const auto surface = surfaces.next(until)) {
       first = first ? first : surface;
       if (surface->hit.n_M.dot(way.along()) < 0.0) {
         pushed_from = std::min(pushed_from, way.length > 0.0 ? surface->s / way.length : 0.0);
+      }
+      if (auto obstacle = over_deflection(*surface, ball, way)) {
+        until = obstacle->fraction * way.length;
+        of_ball = earlier(std::move(of_ball), std::move(obstacle));
+      }
+      // From a free start no deflection is longer than the way since the first touch.
+      if (surface->is_from_free && way.length - surface->s <= limit_of(ball)) {
         break;
       }
     }
-    // From a free start no deflection is longer than the way since the first touch.
-    if (first && (!first->is_from_free || way.length - first->s > limit_of(ball))) {
-      broken = earlier(std::move(broken), over_limit(ball, sweep, first->s));
+    const bool is_short = first && first->is_from_free && way.length - first->s <= limit_of(ball);
+    if (first && way.length > 0.0 && !is_short) {
+      settle_limit(of_ball, ball, sweep, first->s);
     }
+    broken = earlier(std::move(broken), std::move(of_ball));
   }
   const PartHit barred = first_hit(sweep, &MeshSweeper::first_contact_leaving, kBarredOnSkip);
   auto body = touch_of(rigid_, sweep);
@@ -184,6 +194,24 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine:
 
 double TouchProbe::limit_of(const Tip& ball) const {
   return std::min(setup_.deflection_limit_mm, ball.radius);
+}
+
+std::optional<machine::Obstacle> TouchProbe::over_deflection(const Pressed& surface,
+                                                             const Tip& ball,
+                                                             const BallWay& way) const {
+  if (way.length == 0.0) {
+    return std::nullopt;
+  }
+  const double inwards = -surface.hit.n_M.dot(way.along()) / way.length;
+  const double limit = limit_of(ball);
+  if (inwards <= 0.0 || surface.depth + (way.length - surface.s) * inwards <= limit) {
+    return std::nullopt;
+  }
+  const double broken_at = surface.s + std::max(0.0, limit - surface.depth) / inwards;
+  auto obstacle = obstacle_at(broken_at / way.length, surface.hit, surface.part->name);
+  obstacle.what = fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit,
+                              surface.part->name);
+  return obstacle;
 }
 
 }  // namespace g31::probe

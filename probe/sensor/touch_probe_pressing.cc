@@ -1,5 +1,7 @@
 // The part of TouchProbe that says how far a ball is pressed in where tangent planes do not: over
-// edges, along what curves, and where a surface ends.
+// edges, along what curves, and where a surface ends.  It asks how near the surfaces are to the
+// centre of the ball that nothing deflects, which is all where one of them holds the ball; between
+// two or more that wedge it the tangent planes count (pressed_surfaces.h).
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "probe/contact/smooth_normal.h"
 #include "probe/sensor/pressed_surfaces.h"
 #include "probe/sensor/release.h"
 #include "probe/sensor/touch_events.h"
@@ -20,20 +23,26 @@ namespace {
 constexpr double kSameDepthMm = 1e-6;
 
 /// Where a ball slides along just before the depth wanted, it is looked at again after so much: a
-/// place that is deep enough over less than that may be missed.
+/// place that is deep enough over less than that may be missed, and after so many looks over less
+/// than such a share of the way.
 constexpr double kLeastStepMm = 1e-3;
 constexpr int kMostSteps = 20000;
+
+machine::Waypoint place_on(const machine::Sweep& sweep, double share) {
+  return between(start_of(sweep), end_of(sweep), share);
+}
 
 }  // namespace
 
 std::optional<TouchProbe::Pressing> TouchProbe::pressing_at(const Tip& ball,
                                                             const machine::Waypoint& at,
                                                             const Need& need) const {
+  const std::vector<PartHit> touches = touches_of(ball, at);
   std::optional<Pressing> nearest;
-  for (const PartHit& touch : touches_of(ball, at)) {
+  for (const PartHit& touch : touches) {
     const auto wanted = need(touch.hit.n_M);
     if (wanted && (!nearest || *wanted - touch.depth < nearest->missing)) {
-      nearest = Pressing{0.0, *wanted - touch.depth, touch};
+      nearest = Pressing{0.0, *wanted - touch.depth, touches.size() == 1, touch};
     }
   }
   return nearest;
@@ -51,49 +60,42 @@ double TouchProbe::next_contact(const Tip& ball, const BallWay& way, double s) c
   return first;
 }
 
-std::optional<TouchProbe::Pressing> TouchProbe::first_pressing(const Tip& ball,
-                                                               const machine::Sweep& sweep,
-                                                               double from,
-                                                               const Need& need) const {
+TouchProbe::FirstPressing TouchProbe::first_pressing(const Tip& ball, const machine::Sweep& sweep,
+                                                     double from, const Need& need) const {
   const BallWay way = way_of(ball, sweep);
-  const double least_step = std::max(kLeastStepMm, way.length / kMostSteps);
-  const auto at = [&](double s) {
-    auto pressing =
-        pressing_at(ball, between(start_of(sweep), end_of(sweep), s / way.length), need);
-    if (pressing) {
-      pressing->s = s;
-    }
-    return pressing;
-  };
   // A ball whose centre has gone through a surface is pushed out on the other side.
   Point n_M_before = Point::Zero();
   const auto is_reached = [&](const std::optional<Pressing>& pressing) {
-    return pressing &&
-           (pressing->missing <= kTouchBandMm || pressing->touch.hit.n_M.dot(n_M_before) < 0.0);
+    return pressing && (pressing->missing <= 0.0 || pressing->touch.hit.n_M.dot(n_M_before) < 0.0);
+  };
+  const auto is_missing = [&](const machine::Waypoint& at) {
+    return !is_reached(pressing_at(ball, at, need));
   };
   double before = from;
-  for (double s = from; s <= way.length;) {
-    const auto pressing = at(s);
-    if (is_reached(pressing)) {
-      constexpr int kHalvings = 60;
-      Pressing first = *pressing;
-      for (int i = 0; i < kHalvings && before < first.s; ++i) {
-        const auto middle = at(0.5 * (before + first.s));
-        if (is_reached(middle)) {
-          first = *middle;
-        } else {
-          before = 0.5 * (before + first.s);
-        }
-      }
-      return first;
+  double s = from;
+  for (int looks = 0;; ++looks) {
+    const machine::Waypoint here = place_on(sweep, s / way.length);
+    auto pressing = pressing_at(ball, here, need);
+    if (pressing && !pressing->is_alone) {
+      return {false, std::nullopt};
     }
+    if (is_reached(pressing)) {
+      const double share = share_to_release(place_on(sweep, before / way.length), here, is_missing);
+      pressing->s = before + share * (s - before);
+      return {true, pressing};
+    }
+    if (s >= way.length) {
+      return {true, std::nullopt};
+    }
+    const double least_step = looks < kMostSteps ? kLeastStepMm : way.length / kMostSteps;
+    // Only where the centre is as near to the surface as a step can it be on its other side next.
+    const bool is_at_centre = pressing && ball.radius - pressing->touch.depth <= least_step;
+    n_M_before = is_at_centre ? pressing->touch.hit.n_M : Point::Zero();
     before = s;
-    n_M_before = pressing ? pressing->touch.hit.n_M : Point::Zero();
     // No deflection grows faster than the way.
     const double step = pressing ? pressing->missing : next_contact(ball, way, s) - s;
-    s = s < way.length ? std::min(way.length, s + std::max(step, least_step)) : way.length + 1.0;
+    s = std::min(way.length, s + std::max(step, least_step));
   }
-  return std::nullopt;
 }
 
 void TouchProbe::settle(Search& search, const machine::Sweep& sweep, const Pressed& pressed) const {
@@ -108,44 +110,54 @@ void TouchProbe::settle(Search& search, const machine::Sweep& sweep, const Press
   const Need need = [&](const Point& n_M) { return deflection_wanted(n_M, sweep.tilt_from); };
   const bool is_here = first && first->distance <= search.gone;
   const double looked_at = is_here ? std::max(0.0, first->distance - begin) : way.length;
-  const auto there = pressing_at(
-      search.ball, between(start_of(sweep), end_of(sweep), looked_at / way.length), need);
+  const auto there = pressing_at(search.ball, place_on(sweep, looked_at / way.length), need);
   const bool is_as_said = is_here ? there && std::fabs(there->missing) <= kSameDepthMm
                                   : !there || there->missing > kSameDepthMm;
-  if (is_as_said) {
+  if (is_as_said || (there && !there->is_alone)) {
     return;
   }
-  const auto exact = first_pressing(search.ball, sweep, std::min(pressed.s, way.length), need);
-  if (exact) {
-    const bool is_first_met = exact->touch.part == pressed.part;
-    const SweepHit& hit = is_first_met ? pressed.hit : exact->touch.hit;
-    first = Signal{{hit, exact->touch.part, &search.ball, way}, begin + exact->s, false};
+  const FirstPressing exact =
+      first_pressing(search.ball, sweep, std::min(pressed.s, way.length), need);
+  if (!exact.is_decided) {
+    return;
+  }
+  if (exact.at) {
+    const PartHit& touch = exact.at->touch;
+    const bool is_met_first =
+        touch.part == pressed.part && touch.hit.n_M.dot(pressed.hit.n_M) >= kCreaseCosine;
+    const SweepHit& hit = is_met_first ? pressed.hit : touch.hit;
+    first = Signal{{hit, touch.part, &search.ball, way}, begin + exact.at->s, false};
   } else if (is_here) {
     first.reset();
   }
 }
 
-std::optional<machine::Obstacle> TouchProbe::over_limit(const Tip& ball,
-                                                        const machine::Sweep& sweep,
-                                                        double from) const {
+void TouchProbe::settle_limit(std::optional<machine::Obstacle>& broken, const Tip& ball,
+                              const machine::Sweep& sweep, double from) const {
   const BallWay way = way_of(ball, sweep);
-  if (way.length == 0.0) {
-    return std::nullopt;
-  }
   const double limit = limit_of(ball);
-  const auto broken =
-      first_pressing(ball, sweep, from, [&](const Point&) { return std::optional(limit); });
+  const Need need = [limit](const Point&) { return std::optional(limit); };
+  const auto there =
+      broken ? pressing_at(ball, place_on(sweep, broken->fraction), need) : std::nullopt;
+  if (there && (!there->is_alone || std::fabs(there->missing) <= kSameDepthMm)) {
+    return;
+  }
+  const FirstPressing exact = first_pressing(ball, sweep, from, need);
+  if (!exact.is_decided) {
+    return;
+  }
   // One that begins deeper in may come out.
   const bool comes_out =
-      broken && broken->s == from && broken->touch.hit.n_M.dot(way.along()) >= 0.0;
-  if (!broken || comes_out) {
-    return std::nullopt;
+      exact.at && exact.at->s == from && exact.at->touch.hit.n_M.dot(way.along()) >= 0.0;
+  if (!exact.at || comes_out) {
+    broken.reset();
+    return;
   }
-  const std::string& part = broken->touch.part->name;
-  return machine::Obstacle{
-      broken->s / way.length,
+  const std::string& part = exact.at->touch.part->name;
+  broken = machine::Obstacle{
+      exact.at->s / way.length,
       fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit, part),
-      contact_of(broken->touch.hit, part)};
+      contact_of(exact.at->touch.hit, part)};
 }
 
 }  // namespace g31::probe

@@ -2,8 +2,11 @@
 // signals with pre-travel and the deflection limit over edges, on spheres, in a bore.
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -132,7 +135,6 @@ TEST(TouchPressing, ABallThatSkimsOverBreaksNothing) {
   EXPECT_NEAR(*broken, -std::sqrt(12.5 * 12.5 - 144.0), 1e-6);
 }
 
-/// Two faces of a groove: the deeper one counts, and a plane stays exact.
 TEST(TouchPressing, OnPlanesTheTangentPlaneIsTheSurface) {
   std::mt19937_64 random(33);
   for (int i = 0; i < 200; ++i) {
@@ -146,6 +148,86 @@ TEST(TouchPressing, OnPlanesTheTangentPlaneIsTheSurface) {
     ASSERT_EQ(trigger.has_value(), rise >= pre_travel);
     if (trigger) {
       EXPECT_NEAR(1.5 * rise * trigger->fraction, 0.5 * rise + pre_travel, 1e-12);
+    }
+  }
+}
+
+/// Boxes from corner to corner, as one part.
+ProbedPart boxes(const std::vector<std::pair<Point, Point>>& corners) {
+  ProbedPart part{"boxes", {}};
+  for (const auto& [low, high] : corners) {
+    const auto first = static_cast<std::uint32_t>(part.mesh_M.vertices.size());
+    const parts::Mesh box = testing::box_mesh(high - low);
+    for (const Point& vertex : box.vertices) {
+      part.mesh_M.vertices.push_back(vertex + low);
+    }
+    for (const auto& triangle : box.triangles) {
+      part.mesh_M.triangles.push_back(
+          {triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    }
+  }
+  return part;
+}
+
+/// Walls along Y, their faces at -width / 2 and width / 2, from Z -20 to 0.
+ProbedPart slot(double width) {
+  return boxes({{{-20.0 - 0.5 * width, -50.0, -20.0}, {-0.5 * width, 50.0, 0.0}},
+                {{0.5 * width, -50.0, -20.0}, {20.0 + 0.5 * width, 50.0, 0.0}}});
+}
+
+/// A move from one wall of a slot to the other, as behind a touch that was retracted too little.
+TEST(TouchPressing, FromOneWallOfASlotToTheOtherNothingBreaks) {
+  for (const double in_it : {0.001, 0.005, 0.04}) {
+    TouchProbe probe(ball_at_the_axes(0.05), {slot(8.0)}, 0);
+    const Point from(-1.0 - in_it, 0.0, -10.0);
+    EXPECT_FALSE(broken_at(probe, from, 1.5)) << in_it;
+    const auto signal = signal_at(probe, from, 1.5);
+    ASSERT_TRUE(signal) << in_it;
+    EXPECT_NEAR(*signal, 1.05, 1e-9) << in_it;
+  }
+  TouchProbe tight(ball_at_the_axes(0.05), {slot(5.98)}, 0);
+  EXPECT_FALSE(testing::damage_on(tight, {at({0.0, -30.0, -10.0}), at({0.0, 30.0, -10.0})}));
+}
+
+/// Two edges hold the ball: it is deflected along the slot's depth alone, and a slot narrower than
+/// the ball lets nothing through.
+TEST(TouchPressing, ABallWedgedInANarrowSlotGivesASignal) {
+  constexpr double kWidth = 5.94;
+  TouchProbe probe(ball_at_the_axes(0.05), {slot(kWidth)}, 0);
+  const auto trigger = testing::touch_on(probe, {at({0.0, 0.0, 5.0}), at({0.0, 0.0, -5.0})});
+  ASSERT_TRUE(trigger);
+  const double touches_at = std::sqrt(kBall * kBall - 0.25 * kWidth * kWidth);
+  EXPECT_NEAR(5.0 - 10.0 * trigger->fraction, touches_at - 0.05 / (touches_at / kBall), 1e-6);
+}
+
+TEST(TouchPressing, TheContactIsOfTheSurfaceThatGivesTheSignal) {
+  // A floor, on which the ball slides 0.01 mm deep, and a boss on it.
+  TouchProbe probe(ball_at_the_axes(0.05),
+                   {boxes({{{-40, -40, -10}, {40, 40, 0}}, {{20, -8, 0}, {30, 5, 6}}})}, 0);
+  const auto trigger = testing::touch_on(probe, {at({-30.0, 7.9, 2.99}), at({39.0, 7.9, 2.99})});
+  ASSERT_TRUE(trigger);
+  ASSERT_TRUE(trigger->contact);
+  EXPECT_GT(trigger->contact->p_M_point.x(), 19.9);
+  EXPECT_GT(trigger->contact->n_M.y(), 0.9) << "of the side of the boss";
+}
+
+/// The same in many pieces, as curves are asked.
+TEST(TouchPressing, PiecesOfAWaySayTheSameAsTheWhole) {
+  for (const double below : {0.002, 0.02, 0.049, 0.06, 0.5, 2.0}) {
+    TouchProbe probe(ball_at_the_axes(0.05), {block()}, 0);
+    constexpr int kPieces = 37;
+    std::vector<machine::Waypoint> way;
+    for (int i = 0; i <= kPieces; ++i) {
+      const double share = static_cast<double>(i) / kPieces;
+      way.push_back({share, at({-20.0 + 50.0 * share, 5.0, 13.0 - below})});
+    }
+    const auto trigger = testing::touch_along(probe, way);
+    ASSERT_EQ(trigger.has_value(), below >= 0.05) << below;
+    if (trigger) {
+      const double height = kBall - below;
+      const double reach = kBall - 0.05;
+      const double expected = -std::sqrt(reach * reach - height * height);
+      EXPECT_NEAR(-20.0 + 50.0 * trigger->fraction, expected, kSameDepth * reach / -expected);
     }
   }
 }
