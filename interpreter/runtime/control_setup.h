@@ -104,9 +104,10 @@ struct ControlSetup {
   std::vector<SensorWord> sensor_words;  ///< of [[sensor]], by controls that have such words
   /// Soft limits of axes, where the machine has any.
   std::map<int, std::pair<double, double>> q_M_travel;
-  std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"
-  std::map<std::string, OffsetShape> offset_shapes;   ///< of some of them
-  std::map<int, ToolEntry> tools;                     ///< by H/D/T number
+  std::map<std::string, AxisPositions>
+      work_offsets;                                  ///< "G54".."G59", "EXT", "G54.1 P1", "G154 P1"
+  std::map<std::string, OffsetShape> offset_shapes;  ///< of some of them
+  std::map<int, ToolEntry> tools;                    ///< by H/D/T number
   /// What the control takes the machine for; the machine is what it is.
   machine::AxisChainSetup kinematics;
 };

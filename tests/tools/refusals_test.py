@@ -32,7 +32,7 @@ class Refusals(unittest.TestCase):
             (self.folder / "w.toml").write_text(sheet)
             run = self.g31("run", "w.mpf", "-s", "w.toml", "--json", "a.json")
             self.assertEqual(run.returncode, 2, run.stderr)
-            self.assertIn("it would take the place of what is to be read", run.stderr)
+            self.assertIn("of which the run is made: none of its files is kept", run.stderr)
             self.assertEqual(json.loads((self.folder / "a.json").read_text())["exit_code"], 2)
             self.assertEqual((self.folder / "w.mpf").read_text(), program)
             self.assertEqual((self.folder / "w.toml").read_text(), sheet)

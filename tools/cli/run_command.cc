@@ -114,7 +114,8 @@ session::Heard carried_out(const OpenedRun& opened, Desk& desk, ResultWatch& wat
 }
 
 /// Saves what the run leaves behind.  What a defect left is told, not kept; a program that was
-/// refused has left nothing.  What the run was made of stays as it was.
+/// refused has left nothing.  Programs of the command line and what sheets name stay as they were;
+/// a subprogram may be made anew by each run that calls it.
 std::optional<Refusal> keep_state(const OpenedRun& opened, const runtime::Outcome& outcome) {
   const bool has_run = outcome.status != runtime::Status::SyntaxError || outcome.blocks > 0;
   const bool leaves_nothing = opened.options.watch != nullptr;
@@ -123,8 +124,9 @@ std::optional<Refusal> keep_state(const OpenedRun& opened, const runtime::Outcom
   }
   const InputLists inputs = {opened.options.programs, setup::files_of(opened.prepared.job)};
   for (const std::string& file : opened.run.kept_files()) {
-    if (auto wrong = wrong_place({{"WRITE or DELETE of", file}}, inputs)) {
-      return wrong;
+    if (wrong_place({{"WRITE", file}}, inputs)) {
+      return session::bad_input(fmt::format(
+          "WRITE or DELETE of {}, of which the run is made: none of its files is kept", file));
     }
   }
   return opened.run.keep_state();

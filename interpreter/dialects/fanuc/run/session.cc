@@ -14,7 +14,7 @@
 namespace g31::fanuc {
 namespace {
 
-/// Which system "G54".."G59", "EXT", "G54.1 P1" names, as Coordinates counts them.
+/// Which system "G54".."G59", "EXT", "G54.1 P1", "G154 P1" names, as Coordinates counts them.
 std::optional<int> system_in_name(std::string_view name) {
   constexpr std::string_view kAdditional[] = {"G54.1 P", "G154 P"};
   if (name == "EXT") {
@@ -58,9 +58,9 @@ std::vector<runtime::RefusedSetting> configure_offsets(Control& control,
   for (const auto& [name, q_offset] : setup.work_offsets) {
     const auto system = system_in_name(name);
     if (!system) {
-      refused.push_back(
-          {"work_offsets." + name,
-           fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name)});
+      refused.push_back({"work_offsets." + name,
+                         fmt::format("work offset {}: this control has EXT, G54 to G59, {}n", name,
+                                     control.profile.additional_system)});
       continue;
     }
     for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {

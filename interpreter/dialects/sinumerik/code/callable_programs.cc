@@ -73,12 +73,11 @@ const CompiledProgram* CallablePrograms::find(std::string_view written, const Ne
 
 /// Reads the files of that stem in the folder of a program.
 void CallablePrograms::load_beside(const FiledProgram& program) {
+  const std::filesystem::path here = folder_of(program.source().file->name());
   for (const auto& folder : library_.folders()) {
     const auto [first, last] = folder.equal_range(program.name().stem);
     for (auto file = first; file != last; ++file) {
-      if (file->second.starts_with(folder_of(program)) &&
-          file->second.find_first_of("/\\", folder_of(program).size()) == std::string::npos &&
-          !is_loaded(file->second)) {
+      if (folder_of(file->second) == here && !is_loaded(file->second)) {
         load(file->second);
       }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 namespace g31::sinumerik {
@@ -19,14 +20,15 @@ bool is_of_macros(const FiledProgram* program) {
 
 /// In one folder of the control's memory, and their files in one folder.
 bool lie_beside(const FiledProgram& one, const FiledProgram& other) {
-  return one.name().folder == other.name().folder && folder_of(one) == folder_of(other);
+  return one.name().folder == other.name().folder &&
+         folder_of(one.source().file->name()) == folder_of(other.source().file->name());
 }
 
 }  // namespace
 
-std::string_view folder_of(const FiledProgram& program) {
-  const std::string_view path = program.source().file->name();
-  return path.substr(0, path.find_last_of("/\\") + 1);
+std::filesystem::path folder_of(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::absolute(path, unknown).lexically_normal().parent_path();
 }
 
 FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,

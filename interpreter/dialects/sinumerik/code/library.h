@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,8 +28,8 @@ FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
 
 /// Whether it is one by its type, which calls take first.
 bool is_subprogram(const FiledProgram& program);
-/// The folder of its file with the slash behind it; empty: none is said.
-std::string_view folder_of(const FiledProgram& program);
+/// The folder of a file, in one spelling.
+std::filesystem::path folder_of(const std::string& path);
 
 /// The files of a control's memory, their texts and the code of their programs: what is the same
 /// for all sessions.  Files are added first; from then on any number of threads may ask.

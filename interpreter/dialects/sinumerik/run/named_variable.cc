@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/vocabulary/frame_components.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "machine/base/letters.h"
 
 namespace g31::sinumerik {
 namespace {
+
+constexpr std::string_view kNameCharacters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_$";
 
 /// NAME or NAME[first,second]; an index may be left out.
 struct Written {
@@ -63,19 +67,40 @@ std::optional<Written> as_element(const Written& written) {
   return is_r ? std::optional(Written{"R", true, {std::string(digits)}}) : std::nullopt;
 }
 
-bool has_element(const Globals& globals, const Variable& variable, const Written& written) {
-  const Shape& shape = variable.shape;
-  if (!written.has_brackets) {
-    return true;
+/// Of an index as it is written: whether it may be one of its kind.  Only a whole number says which
+/// element it means; of what is to be worked out nothing is known.
+struct IndexCheck {
+  const Globals& globals;
+  const CompiledProgram& program;
+
+  [[nodiscard]] bool is_number(const std::string& index, int below) const {
+    const auto number = whole_number(index);
+    return number ? *number >= 0 && *number < below : is_axis(index);
   }
-  if (written.indices.size() != static_cast<std::size_t>(shape.dimensions)) {
+  [[nodiscard]] bool is_axis(const std::string& index) const {
+    const bool is_one_name = index.find_first_not_of(kNameCharacters) == std::string::npos;
+    return !is_one_name || globals.axis(index) >= 0 || names_variable(globals, program, index);
+  }
+  static bool is_component(const std::string& index) { return find_component(index).has_value(); }
+};
+
+/// As many indices as it has dimensions; a frame goes on with an axis and a component, a text with
+/// a character.
+bool has_element(const IndexCheck& check, const Variable& variable, const Written& written) {
+  const auto own = static_cast<std::size_t>(variable.shape.dimensions);
+  const std::size_t count = written.indices.size();
+  const bool is_of_frame = variable.type == Type::Frame && count == own + 2;
+  const bool is_character = variable.type == Type::String && count == own + 1;
+  if (count != own && !is_of_frame && !is_character) {
     return false;
   }
-  for (std::size_t i = 0; i < written.indices.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const std::string& index = written.indices[i];
-    const auto number = whole_number(index);
-    const bool fits = index.empty() ||
-                      (number ? *number >= 0 && *number < shape.size[i] : globals.axis(index) >= 0);
+    const bool fits = index.empty()  ? i < own
+                      : i < own      ? check.is_number(index, variable.shape.size[i])
+                      : is_character ? check.is_number(index, variable.longest)
+                      : i == own     ? check.is_axis(index)
+                                     : IndexCheck::is_component(index);
     if (!fits) {
       return false;
     }
@@ -85,26 +110,22 @@ bool has_element(const Globals& globals, const Variable& variable, const Written
 
 /// Indices by their kinds, as the table of system variables has them; a frame goes on with an axis
 /// and a component.
-bool has_element(const Globals& globals, const SystemVariable& row, const Written& written) {
+bool has_element(const IndexCheck& check, const SystemVariable& row, const Written& written) {
   std::string kinds(row.indices);
   const auto must = static_cast<std::size_t>(
       std::ranges::count_if(kinds, [](char kind) { return kind == 'N' || kind == 'A'; }));
   const std::size_t own = kinds.size();
   kinds += row.type == Type::Frame ? "AC" : "";
   const std::size_t count = written.indices.size();
-  if (!written.has_brackets) {
-    return true;
-  }
   if (count > kinds.size() || count < must || (count > own && count != kinds.size())) {
     return false;
   }
-  constexpr std::string_view kComponents[] = {"TR", "FI", "RT", "SC", "MI"};
   for (std::size_t i = 0; i < count; ++i) {
     const std::string& index = written.indices[i];
-    const bool fits = index.empty() || (kinds[i] == 'C' ? std::ranges::find(kComponents, index) !=
-                                                              std::end(kComponents)
-                                        : kinds[i] == 'N' ? whole_number(index).has_value()
-                                                          : globals.axis(index) >= 0);
+    const bool fits = index.empty()     ? true
+                      : kinds[i] == 'C' ? IndexCheck::is_component(index)
+                      : kinds[i] == 'A' ? check.is_axis(index)
+                                        : check.is_number(index, std::numeric_limits<int>::max());
     if (!fits) {
       return false;
     }
@@ -132,11 +153,12 @@ bool names_variable(const Globals& globals, const CompiledProgram& program, std:
   if (variable == nullptr && program.sees_main) {
     variable = globals.find_of_main(written->name);
   }
+  const IndexCheck check{globals, program};
   if (variable != nullptr) {
-    return has_element(globals, *variable, *written);
+    return !written->has_brackets || has_element(check, *variable, *written);
   }
   const auto system = find_system_variable(written->name);
-  return system && has_element(globals, *system->row, *written);
+  return system && (!written->has_brackets || has_element(check, *system->row, *written));
 }
 
 }  // namespace g31::sinumerik
