@@ -44,7 +44,7 @@ std::optional<Pressed> PressedSurfaces::next(double until) {
   while ((!has_begun_ || s_ < end) && turns_left_-- > 0) {
     std::optional<Met> met;
     if (contacts_.empty()) {
-      met = first_between(undeflected(s_), p_M_to_);
+      met = first_met(parts_, ball_, undeflected(s_), p_M_to_);
       if (!met) {
         return std::nullopt;
       }
@@ -52,7 +52,7 @@ std::optional<Pressed> PressedSurfaces::next(double until) {
       return std::nullopt;
     } else {
       const double held_until = std::min({end, releases_at_, free_from(end)});
-      met = first_between(p_M_centre_, p_M_centre_ + (held_until - s_) * slide_);
+      met = first_met(parts_, ball_, p_M_centre_, p_M_centre_ + (held_until - s_) * slide_);
     }
     has_begun_ = true;
     if (met) {
@@ -81,14 +81,16 @@ bool PressedSurfaces::is_alone(double end) const {
          });
 }
 
-std::optional<PressedSurfaces::Met> PressedSurfaces::first_between(const Point& p_M_from,
-                                                                   const Point& p_M_to) const {
+std::optional<PressedSurfaces::Met> PressedSurfaces::first_met(std::span<const Part> parts,
+                                                               const Ball& ball,
+                                                               const Point& p_M_from,
+                                                               const Point& p_M_to) {
   std::optional<Met> first;
-  for (const Part& part : parts_) {
+  for (const Part& part : parts) {
     if (part.on_skip_moves != Encounter::Signal) {
       continue;
     }
-    const Met met{part.sweepers[ball_.size].sweep(p_M_from, p_M_to), &part};
+    const Met met{part.sweepers[ball.size].sweep(p_M_from, p_M_to), &part};
     if (met.hit.status == SweepStatus::StartInContact) {
       return met;
     }

@@ -41,6 +41,14 @@ class PressedSurfaces {
     std::size_t size = 0;  ///< which of the sweepers of each part
   };
   using Part = TouchableParts::Part;
+  struct Met {
+    SweepHit hit;
+    const Part* part = nullptr;
+  };
+
+  /// What a ball meets first on a straight way, of the parts in which a skip move may end.
+  static std::optional<Met> first_met(std::span<const Part> parts, const Ball& ball,
+                                      const Point& p_M_from, const Point& p_M_to);
 
   /// @param parts  outlive the answers
   PressedSurfaces(std::span<const Part> parts, const Ball& ball, const Point& p_M_from,
@@ -51,10 +59,6 @@ class PressedSurfaces {
   std::optional<Pressed> next(double until);
 
  private:
-  struct Met {
-    SweepHit hit;
-    const Part* part = nullptr;
-  };
   /// What holds the ball.
   struct Contact {
     Point n_M;
@@ -74,8 +78,6 @@ class PressedSurfaces {
   /// Whether nothing but the surface that holds the ball is as near as it and the undeflected ball
   /// may come.
   [[nodiscard]] bool is_alone(double end) const;
-  /// What a ball meets first.
-  [[nodiscard]] std::optional<Met> first_between(const Point& p_M_from, const Point& p_M_to) const;
   /// Takes what has been met; nullopt: it is of a surface in force.
   std::optional<Pressed> take(const Met& met);
   /// @returns whether it is of a surface in force

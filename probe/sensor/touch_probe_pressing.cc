@@ -50,14 +50,9 @@ std::optional<TouchProbe::Pressing> TouchProbe::pressing_at(const Tip& ball,
 
 double TouchProbe::next_contact(const Tip& ball, const BallWay& way, double s) const {
   const Point p_M = way.p_M_from + (s / way.length) * way.along();
-  double first = std::numeric_limits<double>::infinity();
-  for (const Part& part : parts_->parts()) {
-    if (kSensed.is_of(part)) {
-      const SweepHit hit = part.sweepers[ball.size].sweep(p_M, way.p_M_to);
-      first = hit.status == SweepStatus::Miss ? first : std::min(first, s + hit.s);
-    }
-  }
-  return first;
+  const auto met =
+      PressedSurfaces::first_met(parts_->parts(), {ball.radius, ball.size}, p_M, way.p_M_to);
+  return met ? s + met->hit.s : std::numeric_limits<double>::infinity();
 }
 
 TouchProbe::FirstPressing TouchProbe::first_pressing(const Tip& ball, const machine::Sweep& sweep,

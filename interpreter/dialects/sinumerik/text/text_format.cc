@@ -112,15 +112,6 @@ std::optional<std::string> hexadecimal(double number) {
   return fmt::format("{:X}", bits_of(whole));
 }
 
-/// As an INT, which is the nearest whole number.
-std::optional<std::string> whole(double number) {
-  constexpr double kLargest = 2147483647.0;
-  const double nearest = std::floor(number + 0.5);
-  return nearest >= -kLargest - 1.0 && nearest <= kLargest
-             ? std::optional(fmt::format("{:.0f}", nearest))
-             : std::nullopt;
-}
-
 /// Whether the language makes of a value what a directive shows (Programming Manual Job Planning,
 /// implicit conversions): a text is no number, and an axis is its name alone.
 bool converts(char kind, Type type) {
@@ -141,8 +132,10 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
                                                                                       : "FALSE";
     case 'C':
       return value.type == Type::String ? value.text.substr(0, 1) : character(value.number);
-    case 'D':
-      return whole(value.number);
+    case 'D': {
+      const auto whole = kept_as(Type::Int, value.number);
+      return whole ? std::optional(fmt::format("{:.0f}", *whole)) : std::nullopt;
+    }
     case 'F':
       return fmt::format("{:.{}f}", number, places);
     case 'E':
