@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "probe/sensor/tool_probe.h"
+#include "probe/sensor/touch_events.h"
 
 namespace g31::probe {
 
@@ -97,9 +98,7 @@ std::optional<machine::Obstacle> ToolProbe::damage_on(const machine::Waypoint& f
   }
   touch.fraction = std::min(1.0, touch.fraction + std::max(0.0, limit - depth) / inwards);
   touch.p_M = target().furthest(touch.n_M);
-  return machine::Obstacle{touch.fraction,
-                           fmt::format("{} is pushed {:.3f} mm into {}, its deflection limit",
-                                       tool_name(), limit, setup_.name),
+  return machine::Obstacle{touch.fraction, pushed_too_deep(tool_name(), limit, setup_.name),
                            contact_of(touch)};
 }
 

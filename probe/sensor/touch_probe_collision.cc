@@ -90,6 +90,10 @@ std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& swe
     double until = way.length;
     std::optional<machine::Obstacle> of_ball;
     std::optional<Pressed> first;
+    // From a free start no deflection is longer than the way since the first touch.
+    const auto is_short_of_limit = [&](const Pressed& surface) {
+      return surface.is_from_free && way.length - surface.s <= limit_of(ball);
+    };
     while (const auto surface = surfaces.next(until)) {
       first = first ? first : surface;
       if (surface->hit.n_M.dot(way.along()) < 0.0) {
@@ -99,13 +103,11 @@ std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& swe
         until = obstacle->fraction * way.length;
         of_ball = earlier(std::move(of_ball), std::move(obstacle));
       }
-      // From a free start no deflection is longer than the way since the first touch.
-      if (surface->is_from_free && way.length - surface->s <= limit_of(ball)) {
+      if (is_short_of_limit(*surface)) {
         break;
       }
     }
-    const bool is_short = first && first->is_from_free && way.length - first->s <= limit_of(ball);
-    if (first && way.length > 0.0 && !is_short) {
+    if (first && way.length > 0.0 && !is_short_of_limit(*first)) {
       settle_limit(of_ball, ball, sweep, first->s);
     }
     broken = earlier(std::move(broken), std::move(of_ball));
@@ -209,8 +211,7 @@ std::optional<machine::Obstacle> TouchProbe::over_deflection(const Pressed& surf
   }
   const double broken_at = surface.s + std::max(0.0, limit - surface.depth) / inwards;
   auto obstacle = obstacle_at(broken_at / way.length, surface.hit, surface.part->name);
-  obstacle.what = fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit,
-                              surface.part->name);
+  obstacle.what = pushed_too_deep("stylus", limit, surface.part->name);
   return obstacle;
 }
 

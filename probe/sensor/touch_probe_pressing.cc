@@ -8,8 +8,6 @@
 #include <limits>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "probe/contact/smooth_normal.h"
 #include "probe/sensor/pressed_surfaces.h"
 #include "probe/sensor/release.h"
@@ -149,10 +147,8 @@ void TouchProbe::settle_limit(std::optional<machine::Obstacle>& broken, const Ti
     return;
   }
   const std::string& part = exact.at->touch.part->name;
-  broken = machine::Obstacle{
-      exact.at->s / way.length,
-      fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit, part),
-      contact_of(exact.at->touch.hit, part)};
+  broken = machine::Obstacle{exact.at->s / way.length, pushed_too_deep("stylus", limit, part),
+                             contact_of(exact.at->touch.hit, part)};
 }
 
 }  // namespace g31::probe

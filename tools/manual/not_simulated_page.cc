@@ -60,6 +60,15 @@ without a word: what they say has nothing to act on here.
   #69999), IF .. THEN over several blocks with ELSE and ENDIF, and the M codes of its measuring are not there.
 )";
 
+/// Controls that have a part of the page, and what it is called.
+struct TitledControl {
+  std::string_view control;
+  std::string_view title;
+};
+constexpr TitledControl kTitles[] = {
+    {"fanuc-30i", "Fanuc"}, {"meldas", "MELDAS"},   {"mazatrol-iso", "Mazak EIA/ISO"},
+    {"haas", "Haas"},       {"brother", "Brother"}, {"sinumerik-828d", "SINUMERIK 828D"}};
+
 bool is_not_simulated(const runtime::Entry& entry) {
   const auto says_so = [](const std::string& text) {
     return text.find("not simulated") != std::string::npos ||
@@ -86,18 +95,9 @@ std::string not_simulated_page() {
   page += kAboutTheWorld;
   for (const session::Control& control : session::all_controls()) {
     const std::string_view name = session::name_of(control);
-    if (name == "fanuc-30i") {
-      add_control(page, "Fanuc", control);
-    } else if (name == "meldas") {
-      add_control(page, "MELDAS", control);
-    } else if (name == "mazatrol-iso") {
-      add_control(page, "Mazak EIA/ISO", control);
-    } else if (name == "haas") {
-      add_control(page, "Haas", control);
-    } else if (name == "brother") {
-      add_control(page, "Brother", control);
-    } else if (name == "sinumerik-828d") {
-      add_control(page, "SINUMERIK 828D", control);
+    const auto* const titled = std::ranges::find(kTitles, name, &TitledControl::control);
+    if (titled != std::end(kTitles)) {
+      add_control(page, titled->title, control);
     }
   }
   return page;

@@ -96,13 +96,7 @@ std::string axis_name(int axis) {
 }
 
 std::string system_name(int system, const Profile& profile) {
-  constexpr int kG53 = 53;
-  if (system == 0) {
-    return "external offset";
-  }
-  return system <= kWorkSystems
-             ? fmt::format("G{}", kG53 + system)
-             : fmt::format("{}{}", profile.additional_system, system - kWorkSystems);
+  return system == 0 ? std::string("external offset") : work_system_name(system, profile);
 }
 
 /// Which axis, offset or group one number of a row means; "" where the row says it.

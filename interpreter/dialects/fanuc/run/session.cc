@@ -39,11 +39,7 @@ std::optional<int> system_in_name(std::string_view name) {
 
 /// The name that a sheet has for a system.
 std::string name_of_system(int which, const Profile& profile) {
-  constexpr int kFirst = 53;  // G54 is 1
-  return which == 0 ? std::string("EXT")
-         : which <= Coordinates::kSystems
-             ? fmt::format("G{}", kFirst + which)
-             : fmt::format("{}{}", profile.additional_system, which - Coordinates::kSystems);
+  return which == 0 ? std::string("EXT") : work_system_name(which, profile);
 }
 
 void tell_machine(Control& control, std::vector<runtime::RefusedSetting>& refused) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 // Every difference between the controls of the Fanuc dialect stands here, and only here.  The
 // members' comments in profile.h name the sources.
 
@@ -331,6 +333,13 @@ const GCode* find_g_code(GNumber number, const Profile& profile) {
 
 bool has_g_code(const Profile& profile, const GCode& code) {
   return find_g_code(code.number, profile) == &code;
+}
+
+std::string work_system_name(int system, const Profile& profile) {
+  constexpr int kBeforeG54 = 53;
+  return system <= kWorkSystems
+             ? fmt::format("G{}", kBeforeG54 + system)
+             : fmt::format("{}{}", profile.additional_system, system - kWorkSystems);
 }
 
 const Profile* find_profile(std::string_view name) {

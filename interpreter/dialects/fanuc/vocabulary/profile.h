@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
@@ -299,6 +300,10 @@ const GCode* find_g_code(GNumber number, const Profile& profile);
 const GCode* find_g_code(double value, const Profile& profile);
 /// Whether the control has this row of g_codes.def.
 bool has_g_code(const Profile& profile, const GCode& code);
+
+/// What a program calls a work coordinate system by: "G54", "G54.1 P1", on a Haas "G154 P1".
+/// @param system  from 1
+std::string work_system_name(int system, const Profile& profile);
 
 /// All profiles, in the order of the documentation.
 std::span<const Profile> profiles();

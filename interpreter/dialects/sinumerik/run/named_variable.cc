@@ -67,66 +67,88 @@ std::optional<Written> as_element(const Written& written) {
   return is_r ? std::optional(Written{"R", true, {std::string(digits)}}) : std::nullopt;
 }
 
-/// Of an index as it is written: whether it may be one of its kind.  Only a whole number says which
-/// element it means; of what is to be worked out nothing is known.
-struct IndexCheck {
-  const Globals& globals;
-  const CompiledProgram& program;
-
-  [[nodiscard]] bool is_number(const std::string& index, int below) const {
-    const auto number = whole_number(index);
-    return number ? *number >= 0 && *number < below : is_axis(index);
-  }
-  [[nodiscard]] bool is_axis(const std::string& index) const {
-    const bool is_one_name = index.find_first_not_of(kNameCharacters) == std::string::npos;
-    return !is_one_name || globals.axis(index) >= 0 || names_variable(globals, program, index);
-  }
-  static bool is_component(const std::string& index) { return find_component(index).has_value(); }
+/// What stands at one place between the brackets.
+struct Slot {
+  enum class Kind { Number, Axis, Component };
+  Kind kind = Kind::Number;
+  int below = std::numeric_limits<int>::max();  ///< of Number
+  bool may_be_empty = true;
 };
 
-/// As many indices as it has dimensions; a frame goes on with an axis and a component, a text with
-/// a character.
-bool has_element(const IndexCheck& check, const Variable& variable, const Written& written) {
+/// As many indices as `fewest` to `most`, or all slots: a frame goes on with an axis and a
+/// component.
+struct Slots {
+  std::vector<Slot> all;
+  std::size_t fewest = 0;
+  std::size_t most = 0;
+};
+
+/// One for each dimension; a text goes on with a character.
+Slots slots_of(const Variable& variable) {
   const auto own = static_cast<std::size_t>(variable.shape.dimensions);
-  const std::size_t count = written.indices.size();
-  const bool is_of_frame = variable.type == Type::Frame && count == own + 2;
-  const bool is_character = variable.type == Type::String && count == own + 1;
-  if (count != own && !is_of_frame && !is_character) {
-    return false;
+  Slots slots{{}, own, own};
+  for (std::size_t i = 0; i < own; ++i) {
+    slots.all.push_back({Slot::Kind::Number, variable.shape.size[i]});
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string& index = written.indices[i];
-    const bool fits = index.empty()  ? i < own
-                      : i < own      ? check.is_number(index, variable.shape.size[i])
-                      : is_character ? check.is_number(index, variable.longest)
-                      : i == own     ? check.is_axis(index)
-                                     : IndexCheck::is_component(index);
-    if (!fits) {
-      return false;
-    }
+  if (variable.type == Type::Frame) {
+    slots.all.push_back({Slot::Kind::Axis, 0, false});
+    slots.all.push_back({Slot::Kind::Component, 0, false});
+  } else if (variable.type == Type::String) {
+    slots.all.push_back({Slot::Kind::Number, variable.longest, false});
   }
-  return true;
+  return slots;
 }
 
-/// Indices by their kinds, as the table of system variables has them; a frame goes on with an axis
-/// and a component.
-bool has_element(const IndexCheck& check, const SystemVariable& row, const Written& written) {
-  std::string kinds(row.indices);
-  const auto must = static_cast<std::size_t>(
-      std::ranges::count_if(kinds, [](char kind) { return kind == 'N' || kind == 'A'; }));
-  const std::size_t own = kinds.size();
-  kinds += row.type == Type::Frame ? "AC" : "";
+/// As the table of system variables has them: small letters may be left out.
+Slots slots_of(const SystemVariable& row) {
+  Slots slots{{}, 0, row.indices.size()};
+  for (const char kind : row.indices) {
+    slots.all.push_back({kind == 'A' ? Slot::Kind::Axis : Slot::Kind::Number});
+    slots.fewest += kind == 'N' || kind == 'A' ? 1 : 0;
+  }
+  if (row.type == Type::Frame) {
+    slots.all.push_back({Slot::Kind::Axis});
+    slots.all.push_back({Slot::Kind::Component});
+  }
+  return slots;
+}
+
+/// Of an index as it is written: whether it may be one of its kind.  Only a whole number says which
+/// element it means; of what is to be worked out nothing is known.
+class IndexCheck {
+ public:
+  /// Both outlive it.
+  IndexCheck(const Globals& globals, const CompiledProgram& program)
+      : globals_(globals), program_(program) {}
+
+  [[nodiscard]] bool fits(const std::string& index, const Slot& slot) const {
+    if (index.empty()) {
+      return slot.may_be_empty;
+    }
+    if (slot.kind == Slot::Kind::Component) {
+      return find_component(index).has_value();
+    }
+    const auto number = slot.kind == Slot::Kind::Number ? whole_number(index) : std::nullopt;
+    return number ? *number >= 0 && *number < slot.below : may_be_axis(index);
+  }
+
+ private:
+  [[nodiscard]] bool may_be_axis(const std::string& index) const {
+    const bool is_one_name = index.find_first_not_of(kNameCharacters) == std::string::npos;
+    return !is_one_name || globals_.axis(index) >= 0 || names_variable(globals_, program_, index);
+  }
+
+  const Globals& globals_;
+  const CompiledProgram& program_;
+};
+
+bool has_element(const IndexCheck& check, const Slots& slots, const Written& written) {
   const std::size_t count = written.indices.size();
-  if (count > kinds.size() || count < must || (count > own && count != kinds.size())) {
+  if ((count < slots.fewest || count > slots.most) && count != slots.all.size()) {
     return false;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string& index = written.indices[i];
-    const bool fits = index.empty()     ? true
-                      : kinds[i] == 'C' ? IndexCheck::is_component(index)
-                      : kinds[i] == 'A' ? check.is_axis(index)
-                                        : check.is_number(index, std::numeric_limits<int>::max());
-    if (!fits) {
+    if (!check.fits(written.indices[i], slots.all[i])) {
       return false;
     }
   }
@@ -153,12 +175,12 @@ bool names_variable(const Globals& globals, const CompiledProgram& program, std:
   if (variable == nullptr && program.sees_main) {
     variable = globals.find_of_main(written->name);
   }
-  const IndexCheck check{globals, program};
+  const IndexCheck check(globals, program);
   if (variable != nullptr) {
-    return !written->has_brackets || has_element(check, *variable, *written);
+    return !written->has_brackets || has_element(check, slots_of(*variable), *written);
   }
   const auto system = find_system_variable(written->name);
-  return system && (!written->has_brackets || has_element(check, *system->row, *written));
+  return system && (!written->has_brackets || has_element(check, slots_of(*system->row), *written));
 }
 
 }  // namespace g31::sinumerik
